@@ -25,7 +25,7 @@ from time import process_time
 
 from against import PHASE, ROOT, Figures, checked_out, compare, fixed_loop, medians, parser, told
 
-from sim2reason.datasets.worker import collect_seldom
+from sim2reason.datasets.worker import tune_garbage_collection
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.generation.item_search import sample
 from sim2reason.generation.make import make
@@ -99,7 +99,7 @@ def items(count: int, mode: str, rounds: int) -> None:
     """Cell by cell in this process, set up as a worker is, after one item to load what is loaded lazily."""
     make(Request("pulley", "easy", mode, SEED + 1, 0))
     import_module("sympy.polys.fields")  # when the first formula is shortened
-    collect_seldom()
+    tune_garbage_collection()
     found: list[Figures] = []
     for turn in range(rounds):
         found.append(one_round(count, mode))

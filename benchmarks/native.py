@@ -36,7 +36,7 @@ from time import process_time
 import numpy as np
 from against import PHASE, ROOT, fixed_loop
 
-from sim2reason.datasets.worker import collect_seldom
+from sim2reason.datasets.worker import tune_garbage_collection
 from sim2reason.generation.item_search import sample
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
@@ -100,7 +100,7 @@ def followed(mechanism: Mechanism, duration: float) -> Trace:
 
 def measured(count: int) -> dict[str, float]:
     """Milliseconds of each system, in this process."""
-    collect_seldom()
+    tune_garbage_collection()
     found = dict[str, float]()
     for name, (make, duration) in SYSTEMS.items():
         mechanisms = [make(number) for number in range(count + 1)]

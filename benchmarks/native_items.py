@@ -23,13 +23,13 @@ SEED = 5
 
 def serve(mode: str) -> None:
     """Make the items of each cell that a line asks for, and say how many, in what time, and with what digest."""
-    from sim2reason.datasets.worker import collect_seldom  # noqa: PLC0415 - of the tree that this process imports from
+    from sim2reason.datasets.worker import tune_garbage_collection  # noqa: PLC0415 - of the tree that this process imports from
     from sim2reason.generation.make import make  # noqa: PLC0415
     from sim2reason.generation.request import Request  # noqa: PLC0415
 
     make(Request("pulley", "easy", mode, SEED + 1, 0))
     import_module("sympy.polys.fields")  # half a second, when the first formula is shortened
-    collect_seldom()
+    tune_garbage_collection()
     print("ready", flush=True)
     for line in sys.stdin:
         recipe, difficulty, index = json.loads(line)

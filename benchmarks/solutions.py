@@ -27,7 +27,7 @@ from sim2reason.datasets.grade import grade
 from sim2reason.generation.certified import part_solutions, worked_solution
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import SI, Request
 from sim2reason.questions.difficulty import DIFFICULTIES
@@ -40,7 +40,7 @@ from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL
 from sim2reason.solutions.verification import verification_fault
 from sim2reason.testing.planted_faults import KINDS, planted_faults
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, WORDS, faults, words
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, WORDS, faults, words
 
 AGREED = 1e-9  # relative
 EVENTS = "events"
@@ -122,7 +122,7 @@ def solved(request: Request) -> Iterator[Solved]:
     found = ItemSearch(request).find()
     if found is None:
         return
-    item, solution = item_of(request, found), worked_solution(request, found)
+    item, solution = build_item(request, found), worked_solution(request, found)
     if not found.parts:
         yield Solved(item, found.setting, solution, solution.text, {})
         return
@@ -189,7 +189,7 @@ def _wrong(solved: Solved, tally: Tally) -> Iterator[str]:
     """Yield what checks, other strategies and the grader find wrong with a solution."""
     setting, solution = forward(solved.setting), solved.solution
     assert setting.answer is not None
-    near = SEEN.get(setting.query.kind, RELATION_RTOL)
+    near = RTOL_BY_KIND.get(setting.query.kind, RELATION_RTOL)
     found, held = faults(solution, setting.answer, near), derivations(setting)
     others = [other for other in held if other.strategy != solution.strategy]
     amiss = {other.strategy: _but_for_length(faults(other, setting.answer, near)) for other in others}

@@ -16,13 +16,13 @@ from tempfile import gettempdir
 
 from sim2reason import Dataset, generate
 from sim2reason.generation.item import Item
-from sim2reason.generation.splits import problem, without_numbers
+from sim2reason.generation.splits import mask_numbers, problem
 
 SPLIT = {"train": 0.8, "validation": 0.1, "test": 0.1}
 COMPARED = {
     "scenes": lambda item: item.scene,
     "problems up to numbers": problem,
-    "prompts up to numbers": lambda item: without_numbers(item.prompt),
+    "prompts up to numbers": lambda item: mask_numbers(item.prompt),
 }
 
 

@@ -21,7 +21,7 @@ from sim2reason.generation.filters.misconceptions import effects
 from sim2reason.generation.filters.sensitivity import elasticities, givens, matters
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
-from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.recipes import RECIPES, find_difficulty
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.choices import ENDINGS
 from sim2reason.questions.dependence import AnswerFunction
@@ -48,7 +48,7 @@ def candidate_of(item: Item) -> tuple[Candidate, frozenset[str]]:
         study = MODES[item.mode].study(question, study)
         elasticity = (AnswerFunction(query, study, unknown).rate(answer) or 0.0) * answer / given.value
         question = Question(item.mode, query, "", answer, item.answer.unit, "", unknown, given, elasticity)
-    level, told = difficulty_named(item.difficulty), describe(study.scene, without=parsed.reading.without).told
+    level, told = find_difficulty(item.difficulty), describe(study.scene, without=parsed.reading.without).told
     return Candidate(study, question, item.prompt, difficulty=level, tolerance=item.answer.tolerance), frozenset(told)
 
 

@@ -10,7 +10,7 @@ from sim2reason.errors import FigureWarning
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
@@ -35,7 +35,7 @@ def entry(recipe: str, difficulty: str, mode: str, figures: Path) -> str:
     for request in requests(recipe, difficulty, mode):
         found = ItemSearch(request).find()
         if found is not None:
-            item = item_of(request, found)
+            item = build_item(request, found)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", FigureWarning)
                 canvas.draw(drawing(found.description.scene, found.description), figures / f"{item.id}.svg")

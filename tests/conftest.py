@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from shared_items import SharedItems
-from sim2reason.datasets.worker import collect_seldom
+from sim2reason.datasets.worker import tune_garbage_collection
 
 if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # a hundred processes would compile the library anew
     sys.dont_write_bytecode = False
@@ -25,7 +25,7 @@ settings.load_profile("busy")
 @pytest.hookimpl(trylast=True)
 def pytest_collection_finish() -> None:
     """Exempt loaded objects from garbage collection, as workers do, since a run mostly makes items."""
-    collect_seldom()
+    tune_garbage_collection()
 
 
 @pytest.fixture(scope="session")

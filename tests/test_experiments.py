@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.base.settings import settings_in
+from sim2reason.base.settings import read_settings
 from sim2reason.cli import main
 from sim2reason.evaluation.benchmarks import BENCHMARKS
-from sim2reason.evaluation.benchmarks.runs.config import evaluation_from
-from sim2reason.evaluation.policies import policy_from
-from sim2reason.training.rl.config import reinforcement_learning_from
-from sim2reason.training.sft.config import fine_tuning_from
-from sim2reason.training.study.config import study_from
+from sim2reason.evaluation.benchmarks.runs.config import build_evaluation
+from sim2reason.evaluation.policies import build_policy
+from sim2reason.training.rl.config import build_reinforcement_learning
+from sim2reason.training.sft.config import build_fine_tuning
+from sim2reason.training.study.config import build_study
 
 ROOT = Path(__file__).parents[1]
 EXPERIMENTS = ROOT / "experiments"
@@ -28,10 +28,10 @@ def reader(file: Path) -> Callable[[Path], object]:
     """Return the function that reads a configuration file, by its folder and its name."""
     folder = file.parent.name
     if file.stem == "teacher":
-        return lambda path: policy_from(settings_in(path))
+        return lambda path: build_policy(read_settings(path))
     if file.stem.endswith("study"):
-        return study_from
-    return {"evaluation": evaluation_from, "sft": fine_tuning_from}.get(folder, reinforcement_learning_from)
+        return build_study
+    return {"evaluation": build_evaluation, "sft": build_fine_tuning}.get(folder, build_reinforcement_learning)
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda path: str(path.relative_to(EXPERIMENTS)))
@@ -42,7 +42,7 @@ def test_each_experiment_can_be_read_and_is_on_the_page(file: Path, monkeypatch:
 
 
 def test_every_benchmark_has_an_experiment() -> None:
-    found = [evaluation_from(path) for path in (EXPERIMENTS / "evaluation").glob("*.yaml")]
+    found = [build_evaluation(path) for path in (EXPERIMENTS / "evaluation").glob("*.yaml")]
     kinds = {BENCHMARKS.name_of(benchmark) for each in found for benchmark in each.benchmarks}
     assert kinds >= set(BENCHMARKS) - ABSENT
     assert len({each.out for each in found}) == len(found)
@@ -62,7 +62,7 @@ def test_what_is_correlated_is_in_the_run() -> None:
     (line,) = re.findall(r"^    sim2reason eval correlate (.*)$", PAGE, re.MULTILINE)
     words = shlex.split(line)
     run = next(
-        each for each in map(evaluation_from, (EXPERIMENTS / "evaluation").glob("*.yaml")) if str(each.out) == words[0]
+        each for each in map(build_evaluation, (EXPERIMENTS / "evaluation").glob("*.yaml")) if str(each.out) == words[0]
     )
     assert words[words.index("--across") + 1] in {benchmark.name for benchmark in run.benchmarks}
     assert len(run.policies) >= 3

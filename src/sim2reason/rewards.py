@@ -13,10 +13,10 @@ from warnings import warn
 from pydantic import TypeAdapter, ValidationError
 
 from sim2reason.datasets.exports.columns import Letter, answered, boxed, ground_truth
-from sim2reason.datasets.grade import answer_of
+from sim2reason.datasets.grade import row_answer
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, grade_answer
-from sim2reason.grading import Score, choice, opened
+from sim2reason.grading import Score, choice, prepend_opening_mark
 
 __all__ = [
     "Letter",
@@ -49,7 +49,7 @@ def score(ground_truth: str, response: object, *, partial: bool = False, thinkin
 
 
 def _scored(right: Answer | Letter, response: object, *, partial: bool, thinking_opened: bool) -> Score:
-    said = opened(response) if thinking_opened else response
+    said = prepend_opening_mark(response) if thinking_opened else response
     if isinstance(right, Letter):
         return choice(said, right.letter, right.letters)
     return grade_answer(right, said, partial=partial)
@@ -145,7 +145,7 @@ def _right(*columns: object) -> Answer | Letter | None:
             if isinstance(held, str):
                 return _read(held)
             if isinstance(held, Mapping):
-                return answer_of({"answer": cast("Mapping[str, object]", held)})
+                return row_answer({"answer": cast("Mapping[str, object]", held)})
         except DatasetError:
             continue
     return None

@@ -14,7 +14,7 @@ import pytest
 import sim2reason
 from motions import told_motions
 from plain_scenes import arm, atwood, ramp, row, squeezed, swing, table
-from sim2reason.base.registry import Registry, nearest
+from sim2reason.base.registry import Registry, similar_names
 from sim2reason.datasets.exports import EXPORTS
 from sim2reason.errors import UnknownNameError
 from sim2reason.evaluation.benchmarks import BENCHMARKS
@@ -87,9 +87,9 @@ def test_every_member_is_documented_and_found_by_its_name(kind: str, name: str) 
 
 
 def test_only_what_is_about_as_near_as_the_nearest_is_near() -> None:
-    assert nearest("spring", RECIPES) == ["springs"], "rolling shares four letters with it"
-    assert nearest("MassWithPulley", ENTITIES) == ["MassWithFixedPulley", "MassWithMovablePulley"]
-    assert nearest("qzqzqz", RECIPES) == nearest("x" * 1_000_000, RECIPES) == []
+    assert similar_names("spring", RECIPES) == ["springs"], "rolling shares four letters with it"
+    assert similar_names("MassWithPulley", ENTITIES) == ["MassWithFixedPulley", "MassWithMovablePulley"]
+    assert similar_names("qzqzqz", RECIPES) == similar_names("x" * 1_000_000, RECIPES) == []
 
 
 @pytest.mark.parametrize("kind", list(REGISTRIES))

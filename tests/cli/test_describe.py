@@ -11,7 +11,7 @@ from scene_files import drawn
 from sim2reason.cli import main
 from sim2reason.scenes.files import dump, load
 from sim2reason.text.prose.description import describe as describe_scene
-from sim2reason.text.prose.voices import hiding, symbolic
+from sim2reason.text.prose.voices import symbolic, symbolic_at
 
 RAMP = """\
 scene:
@@ -44,7 +44,7 @@ def test_it_prints_the_text(ramp: Path) -> None:
 
 def test_a_number_can_be_hidden(ramp: Path) -> None:
     result = described(ramp, "--hide", "ramp.blocks.0.mass")
-    assert result.stdout == f"{describe_scene(load(RAMP), 0, hiding('ramp.blocks.0.mass')).text}\n"
+    assert result.stdout == f"{describe_scene(load(RAMP), 0, symbolic_at('ramp.blocks.0.mass')).text}\n"
     assert "2.0 kg" not in result.stdout
 
 

@@ -11,7 +11,7 @@ from contextlib import suppress
 import pytest
 
 from sim2reason.cli import process
-from sim2reason.datasets.processes import SIGNALS, deaf_children
+from sim2reason.datasets.processes import SIGNALS, children_ignoring_signals
 
 pytestmark = pytest.mark.usefixtures("heed_interrupts")
 
@@ -69,7 +69,7 @@ def test_where_it_is_ignored_it_stays_so(number: signal.Signals) -> None:
 @pytest.mark.parametrize("number", SIGNALS)
 def test_children_hear_nothing_and_their_parent_does(number: signal.Signals) -> None:
     code = "import os, signal, time; time.sleep(0.3); print('whole')"
-    with deaf_children():
+    with children_ignoring_signals():
         child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     child.send_signal(number)
     assert child.communicate()[0] == "whole\n"

@@ -10,7 +10,7 @@ from click.testing import CliRunner, Result
 
 import sim2reason
 from sim2reason.cli import main
-from sim2reason.scenes.files import dump, wording_of
+from sim2reason.scenes.files import dump, read_wording
 
 
 def call(*args: object) -> Result:
@@ -35,7 +35,7 @@ def test_a_sample_is_the_scene_of_the_item_of_the_same_coordinates(mode: str, re
     """The item's file has the wording of its text in addition, which a scene alone lacks."""
     problem = sim2reason.item(recipe, "easy", mode, seed=2, index=5)
     scene = sim2reason.sample(recipe, "easy", mode, seed=2, index=5)
-    assert dump(scene, wording_of(problem.scene)) == problem.scene
+    assert dump(scene, read_wording(problem.scene)) == problem.scene
     where = "--recipe", recipe, "--difficulty", "easy", "--mode", mode, "--seed", 2, "--index", 5
     assert call("sample", *where).stdout == dump(scene)
     assert call("sample", *where, "-o", tmp_path / "scene.yaml").exit_code == 0

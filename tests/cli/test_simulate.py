@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim2reason.cli import main
-from sim2reason.cli.simulation import sandboxed
+from sim2reason.cli.simulation import run_in_sandbox
 from sim2reason.errors import SceneError, SimulationError
 from sim2reason.scenes.files import load
 from sim2reason.simulation import trace_files
@@ -163,14 +163,14 @@ def test_patience_ends(atwood: Path, patience: str) -> None:
 
 
 def test_results_and_errors_come_back_from_the_worker() -> None:
-    assert sandboxed(20.0, json.loads, "[1]") == [1]
+    assert run_in_sandbox(20.0, json.loads, "[1]") == [1]
     with pytest.raises(SceneError, match="the file: it is empty"):
-        sandboxed(20.0, load, "")
+        run_in_sandbox(20.0, load, "")
 
 
 def test_a_crash_is_an_error() -> None:
     with pytest.raises(SimulationError, match=r"crashed its process \(exit code -6\)"):
-        sandboxed(20.0, os.abort)
+        run_in_sandbox(20.0, os.abort)
 
 
 def test_the_library_gives_what_the_command_gives(atwood: Path) -> None:
@@ -196,4 +196,4 @@ def test_another_format_is_refused_by_name(atwood: Path, tmp_path: Path, name: s
 
 def test_a_worker_hands_on_what_the_system_refuses(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
-        sandboxed(20.0, os.listdir, tmp_path / "missing")
+        run_in_sandbox(20.0, os.listdir, tmp_path / "missing")

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.base.atomic_files import FOLDER, locked
+from sim2reason.base.atomic_files import FOLDER, lock_folder
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset, verify
-from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refused
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, read_refusals
 from sim2reason.datasets.places.here import cores
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.store import count
@@ -153,7 +153,7 @@ def test_a_maker_that_can_not_be_imported_is_said_at_once(make: Make, maker: str
 
 def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:twins")
-    found = list(refused(tmp_path / "data", "duplicates"))
+    found = list(read_refusals(tmp_path / "data", "duplicates"))
     assert found[0].reason == "same as incline-easy-numeric-0-0"
     assert manifest.rejected["pulley"]["distinct: same"] == sum(p.recipe == "pulley" for p in found) == 47
     prompts = [item.prompt for item in Dataset(tmp_path / "data")]
@@ -165,7 +165,7 @@ def test_duplicates_are_known_by_their_whole_id(
     make: Make, tmp_path: Path, changed: dict[str, object], tail: str
 ) -> None:
     make(maker="fake_makers:twins", **changed)
-    found = list(refused(tmp_path / "data", "duplicates"))
+    found = list(read_refusals(tmp_path / "data", "duplicates"))
     assert found[0].reason == f"same as incline-easy-numeric-0-0{tail}"
 
 
@@ -392,9 +392,9 @@ def test_one_part_is_not_made_twice_at_a_time_nor_beside_the_end(data: Path, con
     build_part(tmp_path / "parts", config, (0, 2), workers=1)
     lock = tmp_path / "parts" / FOLDER / "part-1-of-2.lock"
     lock.touch()
-    with locked(lock), pytest.raises(DatasetError, match="another run"):
+    with lock_folder(lock), pytest.raises(DatasetError, match="another run"):
         build_part(tmp_path / "parts", config, (0, 2), workers=1)
-    with locked(data), pytest.raises(DatasetError, match="another run"):
+    with lock_folder(data), pytest.raises(DatasetError, match="another run"):
         build_part(data, config, (0, 2), workers=1)
     with pytest.raises(DatasetError, match="3/2"):
         build_part(data, config, (2, 2), workers=1)
@@ -414,7 +414,7 @@ def test_a_dataset_without_end_begins_at_once(tmp_path: Path, config: Config) ->
 
 
 def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:
-    with locked(data), pytest.raises(DatasetError, match="another run is writing here"):
+    with lock_folder(data), pytest.raises(DatasetError, match="another run is writing here"):
         make()
 
 

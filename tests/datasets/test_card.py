@@ -14,7 +14,7 @@ from sim2reason.cli import main
 from sim2reason.datasets.card import SIZES, command
 from sim2reason.datasets.card_content import EXAMPLES, SHOWN, choose_examples, count_histograms, histogram
 from sim2reason.datasets.dataset import Dataset, verify
-from sim2reason.datasets.generate import Order, configured, generate
+from sim2reason.datasets.generate import Order, build_config, generate
 from sim2reason.datasets.manifest import Manifest, load
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
@@ -124,7 +124,7 @@ def test_the_command_of_a_card_means_the_same_configuration(tmp_path: Path) -> N
         "solutions": True,
         "decontaminate": [tmp_path / "b.txt"],
     }
-    config = configured(**order)
+    config = build_config(**order)
     arguments = shlex.split(command(config))[1:]
     arguments[1] = str(tmp_path / "out")
     place = arguments.index("--decontaminate") + 1
@@ -138,7 +138,7 @@ def test_the_command_of_a_card_means_the_same_configuration(tmp_path: Path) -> N
 @pytest.mark.parametrize("name", ["", "Apache 2.0", "mit\nlicense: none", "a" * 50])
 def test_a_licence_is_a_name_of_the_hub(name: str) -> None:
     with pytest.raises(DatasetError, match="license"):
-        configured(items=1, recipe="a", maker="fake_makers:steady", license=name or "-")
+        build_config(items=1, recipe="a", maker="fake_makers:steady", license=name or "-")
 
 
 def test_histograms_show_every_item_once_and_gaps_between_numbers(data: Path) -> None:

@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.dataset import verify
-from sim2reason.datasets.manifest import FALSE_ALARM, LEAST_KEPT, Cell, Manifest, empty, enough, load, table
+from sim2reason.datasets.manifest import FALSE_ALARM, LEAST_KEPT, Cell, Manifest, empty, failure_limit, load, table
 from sim2reason.generation.item_search import EMPTY
 from sim2reason.generation.make import make as make_item
 from sim2reason.generation.question_search import NOTHING
@@ -29,12 +29,12 @@ def test_the_table_counts_what_was_asked_for_and_what_was_kept() -> None:
 @pytest.mark.parametrize("cells", [1, 30, 300])
 def test_enough_is_where_the_binomial_tail_of_all_cells_falls_below_the_false_alarm(cells: int) -> None:
     """P(none of n) = (1 − p)^n; the sum over all cells bounds the probability of any empty one (Bonferroni)."""
-    number = enough(cells)
+    number = failure_limit(cells)
     assert cells * (1.0 - LEAST_KEPT) ** number <= FALSE_ALARM < cells * (1.0 - LEAST_KEPT) ** (number - 1)
 
 
 def test_only_a_cell_that_was_asked_for_often_enough_is_an_error() -> None:
-    often, seldom = enough(3), enough(3) - 1
+    often, seldom = failure_limit(3), failure_limit(3) - 1
     cells = [
         Cell(mode="numeric", kind="sum", recipe="box", asked=often, kept=0),
         Cell(mode="numeric", kind="state", recipe="box", asked=seldom, kept=0),
@@ -67,7 +67,7 @@ def test_shards_that_stand_keep_their_counts(make: Make, tmp_path: Path, content
 
 
 def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> None:
-    out, items = tmp_path / "data", 4 * enough(4)
+    out, items = tmp_path / "data", 4 * failure_limit(4)
     usual = "--recipe", "incline,pulley", "--difficulty", "easy", "--workers", "1", "--maker", "fake_makers:wanting"
     result = CliRunner().invoke(main, ["generate", str(out), "--items", str(items), *usual])
     assert result.exit_code == 1

@@ -17,7 +17,7 @@ from sim2reason.datasets import contamination
 from sim2reason.datasets.contamination import RUN, Benchmarks, words
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import Order, generate
-from sim2reason.datasets.manifest import refused
+from sim2reason.datasets.manifest import read_refusals
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import Request
 
@@ -150,7 +150,7 @@ def test_what_meets_a_benchmark_is_left_out_and_told(
     (tmp_path / "own.txt").write_text(" ".join(words(first.prompt)[:RUN]))
     for name, workers in (("one", 1), ("two", 2)):
         generate(tmp_path / name, workers=workers, decontaminate=[tmp_path / "own.txt"], **_order())
-    found = list(refused(tmp_path / "one", "contaminated"))
+    found = list(read_refusals(tmp_path / "one", "contaminated"))
     data = generate(tmp_path / "all", workers=1, **_order())
     assert len(found) == 59  # all of incline but the one without a draw; texts of pulley name another recipe
     assert {each.recipe for each in found} == {"incline"}

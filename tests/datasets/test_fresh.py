@@ -16,7 +16,7 @@ from sim2reason.datasets.fresh import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.request import Made, Request
-from sim2reason.generation.splits import split_of
+from sim2reason.generation.splits import choose_split
 
 SPLIT = {"test": 0.4, "train": 0.6}  # in alphabetical order, as configurations have them
 
@@ -59,7 +59,7 @@ def test_splits_are_those_of_a_dataset_and_no_request_comes_twice() -> None:
     ids = []
     for split in SPLIT:
         for item in problems(100, split, split=SPLIT):
-            assert split_of(item, SPLIT) == split
+            assert choose_split(item, SPLIT) == split
             ids.append(item.id)
     assert len(set(ids)) == len(ids) == 200
 

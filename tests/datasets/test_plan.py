@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from sim2reason.datasets.card import text
 from sim2reason.datasets.items import item, sample, stream
-from sim2reason.datasets.manifest import Manifest, merged
+from sim2reason.datasets.manifest import Manifest, merge_counts
 from sim2reason.datasets.plan import Config, file_name
 from sim2reason.errors import DrawError
 from sim2reason.generation.request import LARGEST, Request, versions
@@ -119,7 +119,7 @@ def test_the_hash_knows_configuration_and_versions() -> None:
 
 
 def test_counts_of_counts_add_in_alphabetical_order() -> None:
-    total = merged([{"b": {"y": 1}}, {"a": {"x": 1}, "b": {"x": 2, "y": 1}}])
+    total = merge_counts([{"b": {"y": 1}}, {"a": {"x": 1}, "b": {"x": 2, "y": 1}}])
     assert list(total.items()) == [("a", {"x": 1}), ("b", {"x": 2, "y": 2})]
 
 

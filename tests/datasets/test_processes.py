@@ -6,7 +6,7 @@ from multiprocessing import spawn
 from pathlib import Path
 
 import sim2reason
-from sim2reason.datasets.processes import ALONE, PROGRAM
+from sim2reason.datasets.processes import PROGRAM, SPAWN_CONTEXT
 
 SOURCE = Path(sim2reason.__file__).parent
 
@@ -21,7 +21,7 @@ def test_what_a_process_is_told_about_the_program_is_what_is_left_out() -> None:
 
 def test_a_process_starts_and_leaves_everything_as_it_was() -> None:
     before = spawn.get_preparation_data
-    process = ALONE.Process(target=sys.exit, args=(7,))
+    process = SPAWN_CONTEXT.Process(target=sys.exit, args=(7,))
     process.start()
     process.join()
     assert process.exitcode == 7

@@ -14,7 +14,7 @@ import pytest
 from datasets import load_dataset
 
 from sim2reason.datasets import store
-from sim2reason.datasets.grade import grade, plain
+from sim2reason.datasets.grade import grade, to_plain
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, Binding, FormulaRecord, Item
 
@@ -172,6 +172,9 @@ def test_what_is_no_row_is_said(row: Any, said: str) -> None:  # noqa: ANN401 - 
 
 def test_plain_values_stay() -> None:
     for value in (None, True, 3, 3.5, "text", [1, [2.0, None]], {"a": {"b": [1]}}):
-        assert plain(value) == value
-    assert plain({"a": np.array([[1.0, 2.0]]), "b": (np.int64(3), float("nan"))}) == {"a": [[1.0, 2.0]], "b": [3, None]}
-    assert plain({"a": None, "b": {"c": None}}) is None
+        assert to_plain(value) == value
+    assert to_plain({"a": np.array([[1.0, 2.0]]), "b": (np.int64(3), float("nan"))}) == {
+        "a": [[1.0, 2.0]],
+        "b": [3, None],
+    }
+    assert to_plain({"a": None, "b": {"c": None}}) is None

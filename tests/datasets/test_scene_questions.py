@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from plain_scenes import atwood, ramp, swing
-from sim2reason.datasets.scene_questions import ask, asked
+from sim2reason.datasets.scene_questions import ask, ask_scene
 from sim2reason.generation.item import Item
 from sim2reason.generation.splits import problem
 from sim2reason.scenes.files import load
@@ -29,7 +29,7 @@ def test_variants_of_a_problem_only_fill_up(of_a_pendulum: list[Item]) -> None:
 def test_easy_questions_are_asked_where_there_are_no_others() -> None:
     """One law answers every question about a block on a smooth slope."""
     scene = ramp(mass=2.0, angle=30.0, friction=0.0)
-    found = asked(scene, "numeric", 3, 0)
+    found = ask_scene(scene, "numeric", 3, 0)
     assert len(found.found) == 3
     assert found.refused["few laws"]
 
@@ -59,7 +59,7 @@ def test_unfiltered_more_can_be_asked() -> None:
 def test_what_leaves_nothing_to_ask_is_told_why() -> None:
     """The reason is that nothing holds a massless part."""
     scene = load((Path(__file__).parents[2] / "examples/olympiad/fma_2024_17.yaml").read_text())
-    assert "nothing holds a massless part" in asked(scene, "numeric", 3, 0).reason
+    assert "nothing holds a massless part" in ask_scene(scene, "numeric", 3, 0).reason
 
 
 FACING = """

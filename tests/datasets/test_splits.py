@@ -11,7 +11,7 @@ from sim2reason.datasets.manifest import Manifest
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
-from sim2reason.generation.splits import problem, split_of
+from sim2reason.generation.splits import choose_split, problem
 
 Make = Callable[..., Manifest]
 HALVES = {"test": 0.5, "train": 0.5}
@@ -39,12 +39,12 @@ def test_what_is_asked_makes_another_problem_and_when_does_not() -> None:
 
 
 def test_all_goes_to_the_only_split() -> None:
-    assert {split_of(item(n), {"train": 1.0}) for n in range(9)} == {"train"}
+    assert {choose_split(item(n), {"train": 1.0}) for n in range(9)} == {"train"}
 
 
 def test_each_split_holds_its_share_of_the_problems() -> None:
     """A 5 % split of 2000 different problems holds 100 ± 10, by the binomial distribution."""
-    found = [split_of(item(n, kind=f"kind {n}"), {"test": 0.05, "train": 0.95}) for n in range(2000)]
+    found = [choose_split(item(n, kind=f"kind {n}"), {"test": 0.05, "train": 0.95}) for n in range(2000)]
     assert 60 <= found.count("test") <= 140
 
 
@@ -68,12 +68,12 @@ def test_two_items_of_one_scene_do_not_stand_in_a_dataset_of_two_splits(make: Ma
 def test_no_problem_up_to_numbers_and_no_text_of_one_stands_on_both_sides(
     numeric_items: SharedItems, count: int
 ) -> None:
-    from sim2reason.generation.splits import without_numbers
+    from sim2reason.generation.splits import mask_numbers
 
     sides: dict[str, dict[str, set[str]]] = {"train": {}, "test": {}}
     for made in numeric_items.of_all(dict.fromkeys(CELLS, count)):
-        side = sides[split_of(made, HALVES)]
-        side.setdefault("text", set()).add(without_numbers(made.prompt))
+        side = sides[choose_split(made, HALVES)]
+        side.setdefault("text", set()).add(mask_numbers(made.prompt))
         side.setdefault("scene", set()).add(made.scene)
         side.setdefault("problem", set()).add(problem(made))
     assert all(sides["train"][by].isdisjoint(found) for by, found in sides["test"].items())

@@ -15,7 +15,7 @@ from sim2reason.datasets import duplicates
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.duplicates import Marks, find_duplicates, variant
-from sim2reason.datasets.manifest import Manifest, refused
+from sim2reason.datasets.manifest import Manifest, read_refusals
 from sim2reason.datasets.plan import Config
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
@@ -135,7 +135,7 @@ def test_what_is_too_close_is_left_out_and_told(make: Make, tmp_path: Path) -> N
     manifest = make(maker="fake_makers:masses", items=25)
     kept = sorted(item.answer.value for item in Dataset(tmp_path / "data"))
     assert all(b / a > 1.0499 for a, b in pairwise(kept))
-    found = list(refused(tmp_path / "data", "variants"))
+    found = list(read_refusals(tmp_path / "data", "variants"))
     assert manifest.refused["variants"].total == len(found) > 10
     assert found[0].reason.startswith("like ")
     counted = sum(counts["distinct: alike"] for counts in manifest.rejected.values())

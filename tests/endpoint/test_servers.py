@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import PolicyError
-from sim2reason.evaluation.policies import Policy, SampleRequest, policy_from
-from sim2reason.evaluation.policies.journal import finished
+from sim2reason.evaluation.policies import Policy, SampleRequest, build_policy
+from sim2reason.evaluation.policies.journal import read_finished
 from sim2reason.evaluation.reports.evaluation import evaluate
 
 SERVERS = {"llama": ("xllamacpp", "gguf"), "vllm": ("vllm",)}  # with the modules that each needs
@@ -79,7 +79,7 @@ def settings(url: str, **more: object) -> dict[str, object]:
 
 
 def policy(url: str, **more: object) -> Policy:
-    return policy_from(settings(url, **more))
+    return build_policy(settings(url, **more))
 
 
 def test_a_seed_gives_the_same_answer_and_another_seed_another(url: str) -> None:
@@ -113,7 +113,7 @@ def test_a_whole_evaluation_is_the_same_twice(url: str, tmp_path: Path) -> None:
     assert one.report.results[0].responses == 80
     assert one.report.results[0].tokens is not None
     texts = [
-        {found.key: found.completion.text for found in finished(run.folder.samples("tiny", "numbers"))}
+        {found.key: found.completion.text for found in read_finished(run.folder.samples("tiny", "numbers"))}
         for run in (one, other)
     ]
     same = sum(texts[0][key] == texts[1][key] for key in texts[0])
@@ -128,12 +128,12 @@ def test_a_run_that_is_killed_goes_on(url: str, tmp_path: Path) -> None:
     command = [sys.executable, "-m", "sim2reason", "eval", str(path)]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
         end = time.monotonic() + 120.0
-        while len(list(finished(journal))) < 10 and process.poll() is None and time.monotonic() < end:
+        while len(list(read_finished(journal))) < 10 and process.poll() is None and time.monotonic() < end:
             time.sleep(0.005)
         process.kill()
-    before = {found.key: found.completion for found in finished(journal)}
+    before = {found.key: found.completion for found in read_finished(journal)}
     assert before
     assert subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode == 0
-    after = {found.key: found.completion for found in finished(journal)}
+    after = {found.key: found.completion for found in read_finished(journal)}
     assert len(after) == 80
     assert before.items() <= after.items()

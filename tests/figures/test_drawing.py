@@ -11,7 +11,7 @@ from sim2reason.figures.canvas import draw
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.hanging import PulleyPiece
 from sim2reason.figures.layout import Arranger, Layout
-from sim2reason.figures.plane import common, depth, dot, unit_vector
+from sim2reason.figures.plane import depth, dot, overlap_area, unit_vector
 from sim2reason.figures.shapes import Area, Drawing
 from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane, Prism, Wedge
@@ -95,7 +95,7 @@ def test_labels_keep_clear_of_each_other(drawings: list[Drawn]) -> None:
     for _, drawn, _ in drawings:
         for one, other in combinations(drawn.labels, 2):
             smaller = min((box[2] - box[0]) * (box[3] - box[1]) for box in (one.box, other.box))
-            bad += common(one.box, other.box) > 0.02 * smaller
+            bad += overlap_area(one.box, other.box) > 0.02 * smaller
     assert bad == 0
 
 
@@ -129,10 +129,10 @@ def test_strings_leave_pulleys_along_tangents(drawings: list[Drawn], layouts: li
 def test_strings_run_as_the_mechanism_has_them_or_mirrored(layouts: list[Layout]) -> None:
     for layout in layouts:
         for strand, a, b in layout.strands:
-            if strand.way is not None:
+            if strand.direction is not None:
                 way = unit_vector(b - a)
-                assert way.imag == pytest.approx(strand.way.imag, abs=1e-9)
-                assert abs(way.real) == pytest.approx(abs(strand.way.real), abs=1e-9)
+                assert way.imag == pytest.approx(strand.direction.imag, abs=1e-9)
+                assert abs(way.real) == pytest.approx(abs(strand.direction.real), abs=1e-9)
 
 
 def test_labels_are_text_inside_the_canvas(drawings: list[Drawn], tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import describe
-from sim2reason.text.prose.voices import Voice, hiding, numeric, symbolic_but_zero
+from sim2reason.text.prose.voices import Voice, numeric, symbolic_at, symbolic_but_zero
 
 
 def shown(scene: Scene, voice: Voice) -> set[str]:
@@ -41,4 +41,4 @@ def test_an_unknown_is_shown_by_its_symbol_alone(recipe: str, step: int) -> None
     """Every third number is tested, or every one in the slow test."""
     scene = sample(recipe, "medium", seed=3)
     for number, parameter in list(stated(scene).items())[::step]:
-        assert number not in shown(scene, hiding(parameter.path))
+        assert number not in shown(scene, symbolic_at(parameter.path))

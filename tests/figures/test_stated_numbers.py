@@ -4,7 +4,7 @@ import pytest
 
 from sim2reason.figures.curves import Mark
 from sim2reason.figures.drawing import drawing
-from sim2reason.figures.plot import listed
+from sim2reason.figures.plot import event_lines
 from sim2reason.figures.shapes import Label, LineShape
 from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
@@ -98,7 +98,7 @@ def test_no_spring_is_drawn_through_the_nail_of_another(difficulty: Difficulty) 
 
 def test_a_long_list_of_events_says_how_many_more_there_are() -> None:
     marks = [Mark(0.1 * number, "A hits B") for number in range(1, 21)]
-    assert listed(marks[:12], "s")[-1] == "12   1.200 s   A hits B"
-    lines = listed(marks, "s")
+    assert event_lines(marks[:12], "s")[-1] == "12   1.200 s   A hits B"
+    lines = event_lines(marks, "s")
     assert len(lines) == 13
     assert lines[-1] == "and 8 more, until 2.000 s"

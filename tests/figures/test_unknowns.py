@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import pytest
 
-from sim2reason.datasets.items import made, requested
+from sim2reason.datasets.items import build_request, make_item
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing, figure
 from sim2reason.figures.labels import disguise_unknowns, unknowns
@@ -17,7 +17,7 @@ from sim2reason.generation.item_search import sample
 from sim2reason.questions.unknown import unknowns as offered
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description, describe
-from sim2reason.text.prose.voices import hiding, symbolic_but_zero
+from sim2reason.text.prose.voices import symbolic_at, symbolic_but_zero
 
 CHOSEN = ("incline", "mixed", "pendulum", "rotation", "projectile", "box", "springs", "hybrid", "collision")
 LEAST = 0.1  # relatively
@@ -39,7 +39,7 @@ def asked() -> Iterator[Asked]:
             plain = describe(scene)
             mentions = {address: plain.mention(address) for address in scene.bodies}
             for unknown in offered(scene, mentions, plain.symbols):
-                hidden = plain.voiced(hiding(unknown.path))
+                hidden = plain.voiced(symbolic_at(unknown.path))
                 yield Asked(scene, unknown.path, unknown.unit, hidden)
 
 
@@ -117,7 +117,7 @@ def slopes(drawn: Drawing) -> list[float]:
 
 
 def test_the_slope_of_an_incline_is_not_the_one_asked_for(tmp_path: Path) -> None:
-    item, found = made(requested("mixed", "hard", "reverse", 7730124, 1, {}, "SI"))
+    item, found = make_item(build_request("mixed", "hard", "reverse", 7730124, 1, {}, "SI"))
     assert item.asked.unknown == "two_side_mass_plane.plane.angle"
     drawn = drawing(found.description.scene, found.description)
     assert slopes(drawn)

@@ -1,7 +1,7 @@
 import pytest
 
 from sim2reason.figures.labels import place_labels
-from sim2reason.figures.plane import common, crosses, depth, hull, length_inside, rectangle, ring
+from sim2reason.figures.plane import crosses, depth, hull, length_inside, overlap_area, rectangle, ring
 from sim2reason.figures.shapes import LabelRequest, LineShape
 
 
@@ -23,8 +23,8 @@ def test_depth_is_how_far_one_must_move() -> None:
 def test_segments_and_boxes() -> None:
     assert crosses(-1.0 + 0j, 1.0 + 0j, -1j, 1j)
     assert not crosses(-1.0 + 0j, 1.0 + 0j, 1j, 2j)
-    assert common((0.0, 0.0, 2.0, 2.0), (1.0, 1.0, 3.0, 3.0)) == pytest.approx(1.0)
-    assert common((0.0, 0.0, 1.0, 1.0), (1.0, 0.0, 2.0, 1.0)) == pytest.approx(0.0)
+    assert overlap_area((0.0, 0.0, 2.0, 2.0), (1.0, 1.0, 3.0, 3.0)) == pytest.approx(1.0)
+    assert overlap_area((0.0, 0.0, 1.0, 1.0), (1.0, 0.0, 2.0, 1.0)) == pytest.approx(0.0)
     assert length_inside(-1.0 + 0.5j, 3.0 + 0.5j, (0.0, 0.0, 1.0, 1.0)) == pytest.approx(1.0)
     assert length_inside(2j, 1.0 + 2j, (0.0, 0.0, 1.0, 1.0)) == pytest.approx(0.0)
 

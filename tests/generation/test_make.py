@@ -7,7 +7,7 @@ import pytest
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
-from sim2reason.grading.formula import compiled
+from sim2reason.grading.formula import compile_formula
 from sim2reason.scenes.dsl.units import parse_unit
 
 CELLS = (
@@ -33,7 +33,7 @@ def test_the_units_of_a_formula_are_those_of_its_numbers() -> None:
     for item in items():
         formula, value = item.answer.formula, item.answer.value * size(item.answer.unit)
         assert formula is not None
-        function = compiled(formula.latex, formula.symbols)
+        function = compile_formula(formula.latex, formula.symbols)
         for binding in formula.bindings:
             held = zip(formula.symbols, binding.numbers, formula.units, strict=True)
             found = function.value({name: number * size(unit) for name, number, unit in held})

@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 import sim2reason
-from sim2reason.datasets.items import made
-from sim2reason.datasets.plan import needs_named
+from sim2reason.datasets.items import make_item
+from sim2reason.datasets.plan import find_needs
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
-from sim2reason.generation.item_search import SHARE, SIMPLE, allowed
+from sim2reason.generation.item_search import SHARE, SIMPLE, allowed_needs
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES, ELEMENTARY, EVERY, NEEDS, Need
 from sim2reason.solutions import solve
@@ -19,9 +19,9 @@ ORDERED = ("special function",)
 def test_few_requests_may_be_filled_by_what_needs_more() -> None:
     """Each request draws by its coordinates alone; a share of one in ten is above twenty standard errors."""
     requests = [Request("pendulum", "easy", mode, 4, n) for mode in ("numeric", "reverse") for n in range(2000)]
-    drawn = [allowed(request) for request in requests]
+    drawn = [allowed_needs(request) for request in requests]
     assert {*drawn} == {SIMPLE, EVERY}
-    assert drawn == [allowed(request) for request in requests]
+    assert drawn == [allowed_needs(request) for request in requests]
     assert abs(drawn.count(EVERY) / len(drawn) - SHARE) < 0.02
     assert max(SIMPLE) == ELEMENTARY
 
@@ -49,10 +49,10 @@ def test_its_id_is_its_own() -> None:
 
 def test_names_are_put_in_order() -> None:
     """Each name occurs once, and a hyphen stands for a space."""
-    assert needs_named(("root", "inverse-function", "root")) == ("inverse function", "root")
-    assert needs_named("quadratic") == ("quadratic",)
-    assert needs_named("all") == tuple(NEEDS)
-    assert needs_named(()) == ()
+    assert find_needs(("root", "inverse-function", "root")) == ("inverse function", "root")
+    assert find_needs("quadratic") == ("quadratic",)
+    assert find_needs("all") == tuple(NEEDS)
+    assert find_needs(()) == ()
 
 
 def test_another_name_is_refused(tmp_path: Path) -> None:
@@ -83,11 +83,11 @@ def test_a_shown_solution_needs_what_its_item_says(mode: str, recipe: str) -> No
     """The shown solution is the measured one, or needs as much."""
     for label in DIFFICULTIES:
         request = Request(recipe, label, mode, 8, 0)
-        item, found = made(request)
+        item, found = make_item(request)
         shown = solve(found.setting)
         assert shown.answer is not None
         assert shown.needs == NEEDS[item.needs]
-        assert NEEDS[item.needs] in allowed(request)
+        assert NEEDS[item.needs] in allowed_needs(request)
 
 
 def test_needs_ascend() -> None:

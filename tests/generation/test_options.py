@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from sim2reason import rewards
-from sim2reason.datasets.exports import EXPORTS, Place
+from sim2reason.datasets.exports import EXPORTS, RowPosition
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.datasets.store import read, write
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options, options_of, values
+from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, item_options, options, values
 from sim2reason.grading import Outcome
 from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.scenes.dsl.measures import join_unit
@@ -48,7 +48,7 @@ def test_one_letter_is_right_and_its_number_too(cell: tuple[str, str, int], unit
 @pytest.mark.parametrize("cell", CELLS)
 def test_options_are_wrong_ideas_with_reasons_and_a_tenth_apart(cell: tuple[str, str, int]) -> None:
     told = made(*cell)
-    chosen = options_of(told)
+    chosen = item_options(told)
     assert chosen is not None
     assert values(told.answer, chosen) == list(told.answer.options)
     assert all(wrong is None or (wrong.reason and wrong.simplification) for wrong in chosen)
@@ -69,7 +69,7 @@ def test_they_travel_through_files_and_exports(tmp_path: Path) -> None:
     write(tmp_path / "shard.parquet", items)
     assert read(tmp_path / "shard.parquet") == items
     for told in items:
-        row = EXPORTS["multiple-choice"].row(told, Place("train", 0))
+        row = EXPORTS["multiple-choice"].row(told, RowPosition("train", 0))
         assert row is not None
         assert (row["answer"], row["prompt"][0]["content"]) == (told.answer.letter, told.prompt)
         assert [not reason for reason in row["reasons"]].index(True) == LETTERS.index(told.answer.letter)

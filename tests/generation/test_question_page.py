@@ -12,7 +12,7 @@ from sim2reason.generation.question_page import COMMAND, format_page
 from sim2reason.questions import KINDS, MOMENTS
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import understand_sentence
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
@@ -64,12 +64,12 @@ def test_ordinary_sentences_are_on_the_page_and_read_back(page: str, text: str, 
     """Each sentence asks the same query as the structured form beside it."""
     scene = loads(text)
     motion, words = simulate_scene(scene), words_of(describe(scene))
-    meant = understood(sentence, motion, words)
+    meant = understand_sentence(sentence, motion, words)
     assert meant is not None
     parts = next(row.split(" | ")[3] for row in page.splitlines() if f" | {sentence} | " in row)
     options = dict(zip(*[iter(shlex.split(parts.strip("|` ")))] * 2, strict=True))
     asked = StructuredQuestion(**{name.removeprefix("--"): part for name, part in options.items()})
-    assert pose_question(asked, motion, words).query == meant.posed.query
+    assert pose_question(asked, motion, words).query == meant.posed_question.query
 
 
 def test_every_entity_shows_its_coordinates_or_has_none(page: str) -> None:

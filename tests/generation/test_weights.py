@@ -133,7 +133,7 @@ def test_a_search_is_a_pure_function_of_its_request() -> None:
     assert len(prompts) == 2
     assert prompts[0] == prompts[1]
     assert searches[0].rejected == searches[1].rejected
-    assert searches[0].wanted == searches[1].wanted
+    assert searches[0].first_kind == searches[1].first_kind
 
 
 def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
@@ -142,4 +142,4 @@ def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
     search = ItemSearch(Request("orbital", "hard", "numeric", 4, 0, weights=only_periods))
     assert search.find() is None
     assert search.rejected.keys() == {FEW_LAWS, "difficulty: too easy"}
-    assert search.wanted == ""
+    assert search.first_kind == ""

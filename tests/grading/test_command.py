@@ -12,7 +12,7 @@ from sim2reason.cli import main
 from sim2reason.cli.evaluation import grade_command
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.grade import GradedResponse, Response, Tallies, grade, graded, line, responses
+from sim2reason.datasets.grade import GradedResponse, Response, Tallies, grade, grade_all, line, responses
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
@@ -199,7 +199,7 @@ def test_responses_are_held_a_few_at_a_time(data: Path, monkeypatch: pytest.Monk
             taken += 1
             yield response
 
-    for found in graded(opened, counted()):
+    for found in grade_all(opened, counted()):
         out.append(str(found.response.response))
         assert taken <= len(out) + 3
     assert out == [str(k) for k in range(100)]

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from sim2reason.grading.units import expanded, unit_in
+from sim2reason.grading.units import expand_siunitx, parse_answer_unit
 from sim2reason.scenes.dsl.units import UnitError, parse_unit
 
 
@@ -34,7 +34,7 @@ from sim2reason.scenes.dsl.units import UnitError, parse_unit
 )
 def test_spellings(text: str, same: str) -> None:
     asked = parse_unit(same)
-    found = unit_in(text, asked)
+    found = parse_answer_unit(text, asked)
     assert (found.factor, found.dimension) == (pytest.approx(asked.factor), asked.dimension)
 
 
@@ -53,7 +53,7 @@ def test_spellings(text: str, same: str) -> None:
 )
 def test_the_asked_dimension_decides(text: str, asked: str, factor: float) -> None:
     unit = parse_unit(asked)
-    assert unit_in(text, unit).factor_to(unit) == pytest.approx(factor)
+    assert parse_answer_unit(text, unit).factor_to(unit) == pytest.approx(factor)
 
 
 TURNED = [
@@ -67,7 +67,7 @@ TURNED = [
 )
 def test_what_is_no_unit(text: str) -> None:
     with pytest.raises(UnitError):
-        unit_in(text or "?", None)
+        parse_answer_unit(text or "?", None)
 
 
 @pytest.mark.parametrize(
@@ -84,5 +84,5 @@ def test_what_is_no_unit(text: str) -> None:
     ],
 )
 def test_macros(macros: str, same: str) -> None:
-    found, asked = unit_in(expanded(rf"\unit{{{macros}}}"), None), parse_unit(same)
+    found, asked = parse_answer_unit(expand_siunitx(rf"\unit{{{macros}}}"), None), parse_unit(same)
     assert (found.factor, found.dimension) == (pytest.approx(asked.factor), asked.dimension)

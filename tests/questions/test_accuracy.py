@@ -14,7 +14,7 @@ def test_what_is_stated_is_found_again(size: float, sign: float, digits: int) ->
         stated = StatedResult.rounded(value, "m", digits)
         if stated is not None:
             assert stated.value == pytest.approx(value, rel=0.5 * 10.0 ** (1 - digits))
-            assert [*StatedResult.found(f"it is {stated.said} away", "m")] == [stated]
+            assert [*StatedResult.find_in_text(f"it is {stated.text} away", "m")] == [stated]
 
 
 def test_what_is_too_large_to_be_said_plainly_is_not_stated() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from plain_scenes import G, atwood, ramp
 from sim2reason.questions import KINDS, MOMENTS
-from sim2reason.questions.choices import pick
+from sim2reason.questions.choices import draw_target
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.posing import pose_question
@@ -114,7 +114,7 @@ def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts:
     if parts["find"] == "relative velocity":
         parts = {**parts, "of": QUANTITIES["relative velocity"].of.names(words.mechanism)[0]}
     question = pose_question(StructuredQuestion.read(parts), motion, words)
-    followed = question.followed(motion)
+    followed = question.simulate_answer(motion)
     assert followed.answer == pytest.approx(answer, rel=1e-6)
     certificate = certify_trace(followed.study.trace)[1]
     query = question.query
@@ -131,7 +131,7 @@ def test_recipes_ask_none_of_it() -> None:
     words = words_of(describe(ramp(2.0, 30.0)))
     spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
     assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}
-    assert pick(spared, np.random.default_rng(0)) is None
+    assert draw_target(spared, np.random.default_rng(0)) is None
     people = {"fastest", "lifted_off", "returned", "top_after_bounce", "edge_landed", "stayed_below"}
     assert {name for name, cls in MOMENTS.items() if not cls.drawn_by_recipes} == people
     undrawn = {name for name, held in FUNCTIONALS.items() if not held.drawn_by_recipes}

@@ -80,7 +80,7 @@ def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
     """A damped motion is neither periodic nor finite, but has turned back on both sides."""
     scene = loads(DAMPED)
     motion, words = simulate_scene(scene), words_of(describe(scene))
-    found = pose_question(StructuredQuestion("time", when=when), motion, words).followed(motion)
+    found = pose_question(StructuredQuestion("time", when=when), motion, words).simulate_answer(motion)
     assert found.answer is None
     assert "has no energy to come any farther" in found.reason
 
@@ -90,7 +90,7 @@ def test_a_place_within_its_turning_points_is_reached() -> None:
     scene = loads(DAMPED)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = StructuredQuestion("time", when="moved 0.3 m")
-    assert pose_question(asked, motion, words).followed(motion).answer == pytest.approx(0.4989, rel=1e-3)
+    assert pose_question(asked, motion, words).simulate_answer(motion).answer == pytest.approx(0.4989, rel=1e-3)
 
 
 def test_there_is_as_much_room_as_it_takes() -> None:
@@ -187,7 +187,7 @@ def test_queries_share_the_longer_motions_that_they_follow() -> None:
     begun = simulate_scene(ramp())
     words = words_of(describe(ramp()))
     late = StructuredQuestion("time", when="speed of block = 60 m/s")
-    one = pose_question(late, begun, words).followed(begun)
-    other = pose_question(late, begun, words).followed(begun)
+    one = pose_question(late, begun, words).simulate_answer(begun)
+    other = pose_question(late, begun, words).simulate_answer(begun)
     assert one.study is not begun.study
     assert one.study is other.study

@@ -90,7 +90,7 @@ def test_a_magnitude_is_small_without_a_change_of_sign(given: str, end: str, for
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = pose_question(StructuredQuestion("hand.force", when="at start", given=given), motion, words)
     assert asked.end == end
-    assert asked.followed(motion).answer == pytest.approx(force, rel=1e-6)
+    assert asked.simulate_answer(motion).answer == pytest.approx(force, rel=1e-6)
 
 
 def test_no_number_gives_what_is_beyond_a_minimum() -> None:
@@ -98,4 +98,4 @@ def test_no_number_gives_what_is_beyond_a_minimum() -> None:
     scene = loads(HAND)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = pose_question(StructuredQuestion("hand.force", when="at start", given="acceleration = -1"), motion, words)
-    assert asked.followed(motion).reason.startswith("no value of ")
+    assert asked.simulate_answer(motion).reason.startswith("no value of ")

@@ -12,7 +12,7 @@ import pytest
 from plain_scenes import atwood, ramp, swing, three
 from sim2reason.figures.curves import motion_curves
 from sim2reason.generation.certified import CertifiedQuestion
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, Target
@@ -271,7 +271,7 @@ def test_one_file_is_enough(kind: str, wanted: Wanted, scene: Scene) -> None:
     assert channels
     assert all(certified.certificate.until[channel] > 0.0 for channel in channels)
     # recorded
-    record = item_of(Request("pulley", "easy", "numeric", 0, 0), certified)
+    record = build_item(Request("pulley", "easy", "numeric", 0, 0), certified)
     measured = KINDS[query.kind].measured(query)
     assert (record.asked.quantity, record.answer.unit, record.kind) == (measured.name, measured.unit, query.kind)
     assert record.asked.event == query.moment.label
@@ -291,7 +291,7 @@ def _asked(search: QuestionSearch, kind: str, wanted: Wanted) -> CertifiedQuesti
 @pytest.mark.usefixtures("added")
 def test_a_functional_is_one_file() -> None:
     certified = _asked(QuestionSearch(swing(), 3), "extremum", lambda query: query.name == "swing.bob")
-    record = item_of(Request("pendulum", "easy", "numeric", 0, 0), certified)
+    record = build_item(Request("pendulum", "easy", "numeric", 0, 0), certified)
     assert (record.asked.quantity, record.answer.unit) == ("greatest momentum", "kg m/s")
     assert record.answer.value == pytest.approx(0.5 * np.sqrt(2.0 * 9.8 * 0.8 * 0.5))
     assert parse_prompt(certified.prompt).answer == pytest.approx(record.answer.value)

@@ -10,7 +10,7 @@ import pytest
 from plain_scenes import atwood, half_atwood
 from sim2reason.questions import Query, SimulatedScene
 from sim2reason.questions.conditions import UniquenessScan
-from sim2reason.questions.dependence import AnswerFunction, with_long_strings
+from sim2reason.questions.dependence import AnswerFunction, lengthen_strings
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Target
 from sim2reason.questions.unknown import far_from
@@ -44,7 +44,7 @@ class Known:
 
 
 def found(result: Callable[[float], float], *hits: float) -> float | None:
-    return UniquenessScan(Known(result, hits), ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
+    return UniquenessScan(Known(result, hits), ROOT, result(ROOT), MARGIN).find_other_root(VALUES)  # type: ignore[arg-type]
 
 
 def kinked(height: float, tip: float) -> Callable[[float], float]:
@@ -89,7 +89,7 @@ def test_where_results_come_back_just_before_they_end_is_looked_at(last: float) 
         return max(1.0 - (value - ROOT) / 4.0, 1.0 + 3.0 * (sqrt(4e-5) - sqrt(abs(1.0 - value / last))))
 
     known = Known(result, ends=(-inf, last))
-    at = UniquenessScan(known, ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
+    at = UniquenessScan(known, ROOT, result(ROOT), MARGIN).find_other_root(VALUES)  # type: ignore[arg-type]
     assert at == pytest.approx(last, rel=1e-4)
 
 
@@ -114,8 +114,8 @@ def test_what_begins_to_happen_at_the_root_makes_no_other_root() -> None:
 def test_another_root_far_beyond_the_range_is_seen(other: float, *, seen: bool) -> None:
     """A quadratic has another root at 70 times the first, as a launch so fast that it returns from the other side."""
     scan = UniquenessScan(Known(lambda value: value + other * ROOT**2 / value), ROOT, ROOT * (1.0 + other), MARGIN)  # type: ignore[arg-type]
-    assert scan.another(VALUES) is None
-    assert (scan.far(far_from(VALUES, ROOT, "m/s")) is not None) is seen
+    assert scan.find_other_root(VALUES) is None
+    assert (scan.find_distant_root(far_from(VALUES, ROOT, "m/s")) is not None) is seen
 
 
 def test_what_is_far_from_a_number_has_its_sign() -> None:
@@ -156,7 +156,7 @@ class Wayward(Known):
 def test_where_a_magnitude_passes_through_zero_next_to_where_it_has_no_value() -> None:
     """The change of a counterweight's potential energy vanishes at balance, and just beyond takes too long."""
     result = Wayward(lambda value: value / ROOT if value < 4.0 else min(2.0, 10.0 * abs(value - 11.6)))
-    at = UniquenessScan(result, ROOT, 1.0, MARGIN).another(VALUES)  # type: ignore[arg-type]
+    at = UniquenessScan(result, ROOT, 1.0, MARGIN).find_other_root(VALUES)  # type: ignore[arg-type]
     assert at == pytest.approx(11.6, abs=0.11)
 
 
@@ -175,13 +175,13 @@ def test_which_way_coordinates_have_gone_belongs_to_what_happens() -> None:
 )
 def test_where_results_end_close_to_the_root_is_told(ends: tuple[float, float], edge: float | None) -> None:
     scan = UniquenessScan(Known(lambda value: value, ends=ends), ROOT, ROOT, MARGIN)  # type: ignore[arg-type]
-    assert scan.edge(VALUES) == (edge if edge is None else pytest.approx(edge))
+    assert scan.find_missing_answer(VALUES) == (edge if edge is None else pytest.approx(edge))
 
 
 def test_the_end_of_a_range_is_no_edge() -> None:
     """A search for the root may begin or end there."""
     scan = UniquenessScan(Known(lambda value: value, ends=(0.0, ROOT)), ROOT, ROOT, MARGIN)  # type: ignore[arg-type]
-    assert scan.edge([0.2, 1.0, 2.001]) is None
+    assert scan.find_missing_answer([0.2, 1.0, 2.001]) is None
 
 
 @pytest.mark.parametrize(
@@ -195,13 +195,13 @@ def test_a_root_just_behind_the_range_is_foreseen(turn: float, fall: float, end:
         return 1.0 + (value - ROOT) / 10.0 if value < turn else peak - (peak - 1.0) * (value / turn - 1.0) / fall
 
     scan = UniquenessScan(Known(result), ROOT, 1.0, MARGIN)  # type: ignore[arg-type]
-    assert scan.end(VALUES) == (end if end is None else pytest.approx(end))
+    assert scan.find_extrapolated_root(VALUES) == (end if end is None else pytest.approx(end))
 
 
 def test_a_number_whose_answer_may_come_later_than_is_waited_is_not_excluded() -> None:
     late = VALUES[50]
     known = Known(lambda value: value, ends=(0.0, VALUES[49]), late=(late,))
-    assert UniquenessScan(known, ROOT, ROOT, MARGIN).another(VALUES) == late  # type: ignore[arg-type]
+    assert UniquenessScan(known, ROOT, ROOT, MARGIN).find_other_root(VALUES) == late  # type: ignore[arg-type]
 
 
 def test_no_body_of_a_roomy_scene_reaches_a_pulley() -> None:
@@ -210,4 +210,4 @@ def test_no_body_of_a_roomy_scene_reaches_a_pulley() -> None:
     reach = simulate(scene)
     assert reach.cut == "reach"
     later = 2.0 * reach.stable_until
-    assert SimulatedScene.of(with_long_strings(scene), np.array([0.0, later])).trace.stable_until == later
+    assert SimulatedScene.of(lengthen_strings(scene), np.array([0.0, later])).trace.stable_until == later

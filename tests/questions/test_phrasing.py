@@ -8,7 +8,7 @@ from sim2reason.questions.kinds.stretches import nouns
 from sim2reason.questions.moments.strings import MostCompressed
 from sim2reason.questions.moments.times import BurnedOut
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.phrasing import again
+from sim2reason.questions.phrasing import use_pronoun
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Target, targets
 from sim2reason.scenes.bodies.blocks import Block
@@ -41,7 +41,7 @@ def test_no_pronoun_could_be_the_dashpot_beside_a_spring(functional: str, pronou
     words, moment = damped(), MostCompressed("it.springs.1")
     noun, spring = nouns(FUNCTIONALS[functional], words)["it.springs.1"], moment.subject(words)
     for when in moment.stretches(words):
-        said = again(moment, noun.phrase, when, words)
+        said = use_pronoun(moment, noun.phrase, when, words)
         assert ("it first" in said) is pronoun
         assert (spring in said) is not pronoun
 
@@ -52,14 +52,14 @@ def test_a_pronoun_stands_for_what_a_phrase_is_about_alone() -> None:
     when = f"when {block} first comes to rest"
     short = "when it first comes to rest"
     for phrase in (f"the speed of {block}", f"the energy that {block} loses", f"the distance by which {block} moves"):
-        assert again(moment, phrase, when, words) == short
+        assert use_pronoun(moment, phrase, when, words) == short
     for phrase in (
         f"the work that the tension in the string does on {block}",
         f"the energy that friction between {block} and the plane dissipates",
         f"the normal force exerted on {block} by the plane",
         "the tension in the string",
     ):
-        assert again(moment, phrase, when, words) == when
+        assert use_pronoun(moment, phrase, when, words) == when
     speeds = [noun.phrase for target, noun in targets(words).items() if target.quantity == "velocity"]
     assert any(block in phrase for phrase in speeds)
 
@@ -80,7 +80,7 @@ def test_a_rocket_that_starts_from_the_ground_has_a_height(
     words, moment = words_of(describe(Scene(entities=(Named(name="pad", entity=entity),)))), BurnedOut("pad.rocket")
     said = targets(words)[Target("displacement", "pad.rocket")].phrase
     assert said.replace("probe", "rocket") == noun
-    assert [again(moment, said, when, words) for when in moment.phrases(words)] == [
+    assert [use_pronoun(moment, said, when, words) for when in moment.phrases(words)] == [
         "when it has burnt all its fuel",
         "when it runs out of fuel",
         "at the moment when it has used up its fuel",

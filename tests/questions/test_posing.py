@@ -14,10 +14,10 @@ from sim2reason.questions import KINDS, MOMENTS, Words
 from sim2reason.questions.following import SimulatedAnswer, simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.posing import PosedQuestion, findable, pose_question
+from sim2reason.questions.posing import PosedQuestion, findable_names, pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.sentences import parse_question
-from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
+from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolve_name
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import load, loads
 from sim2reason.text.prose.description import describe
@@ -34,7 +34,7 @@ def read(scene: Scene, **parts: str) -> tuple[PosedQuestion, Words]:
 
 def found(scene: Scene, **parts: str) -> SimulatedAnswer:
     """Return the answer to a structured question, with the motion."""
-    return read(scene, **parts)[0].followed(simulate_scene(scene))
+    return read(scene, **parts)[0].simulate_answer(simulate_scene(scene))
 
 
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ def test_every_quantity_and_functional_of_a_scene_can_be_found(recipe: str) -> N
     """The name alone is enough, without a list of names."""
     scene = sample(recipe, seed=3)
     motion, words = simulate_scene(scene), words_of(describe(scene))
-    for name in findable(words):
+    for name in findable_names(words):
         if name in FUNCTIONALS or not any(name in KINDS[kind].finds(words) for kind in ("state", "sum")):
             continue
         try:
@@ -174,10 +174,10 @@ def test_names_as_people_say_them() -> None:
         ("pulley", "right.wheel"),
         ("wheel", "right.wheel"),
     ]:
-        assert resolved("of", said, names) == meant
+        assert resolve_name("of", said, names) == meant
     with pytest.raises(TextError, match="there are: left"):
-        resolved("of", "", names)
-    assert resolved("of", "", {"one": "it"}) == "one"
+        resolve_name("of", "", names)
+    assert resolve_name("of", "", {"one": "it"}) == "one"
     assert len(table().bodies) > 1
 
 

@@ -15,11 +15,11 @@ from sim2reason.questions.prompt_formats import (
     AS_PURE,
     AS_WHOLE,
     FORMS,
-    THAT,
+    REFERENCE_PHRASE,
     PartPrompt,
+    build_part_prompt,
     parse_parts,
     resolved_references,
-    together,
     with_reference,
 )
 from sim2reason.questions.query import targets
@@ -66,8 +66,8 @@ def test_a_moment_is_told_once_and_every_part_is_read_back() -> None:
     questions = asked(search)
     assert len(questions) > 1
     for seed in range(6):
-        prompt, texts = together(search.description, questions, search.words, np.random.default_rng(seed))
-        assert all(THAT in text for text in texts[1:]), texts
+        prompt, texts = build_part_prompt(search.description, questions, search.words, np.random.default_rng(seed))
+        assert all(REFERENCE_PHRASE in text for text in texts[1:]), texts
         parsed = parse_parts(prompt.text)
         assert [each.query.kind for each in parsed] == [question.query.kind for question in questions]
         assert [each.answer for each in parsed] == pytest.approx([q.answer for q in questions], rel=1e-6)
@@ -79,7 +79,7 @@ def test_a_stretch_that_ends_at_a_moment_just_told_lasts_until_then() -> None:
     moment = AtTime(0.5)
     for stretch in moment.stretches(search.words):
         text = f"Find how far A travels in all {stretch}."
-        assert with_reference(text, moment, search.words) == f"Find how far A travels in all until {THAT}."
+        assert with_reference(text, moment, search.words) == f"Find how far A travels in all until {REFERENCE_PHRASE}."
         assert text in resolved_references(with_reference(text, moment, search.words), moment, search.words)
 
 

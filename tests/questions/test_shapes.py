@@ -15,7 +15,7 @@ from sim2reason.questions import MODES, Question
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, parse_prompt, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
-from sim2reason.questions.shapes.layout import is_table, text_of, units
+from sim2reason.questions.shapes.layout import is_table, join_units, units
 from sim2reason.questions.shapes.numbers import FEWEST
 from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.bodies.oscillators import NailedSpring
@@ -24,7 +24,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.text.prose import describe
 from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.voices import hiding, symbolic_but_zero
+from sim2reason.text.prose.voices import symbolic_at, symbolic_but_zero
 
 SCENES = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each recipe and difficulty
 MOST = 0.32  # of the prompts of a recipe
@@ -104,7 +104,7 @@ def test_what_a_voice_hides_is_in_no_list() -> None:
     scene = search.study.scene
     shown = describe(scene, 4)
     path = first_mass(scene)
-    hidden = describe(scene, 4, hiding(path))
+    hidden = describe(scene, 4, symbolic_at(path))
     listed = SHAPES["numbers_listed"].compose(hidden, question.text, np.random.default_rng(0))
     usual = SHAPES["numbers_listed"].compose(shown, question.text, np.random.default_rng(0))
     assert listed is not None
@@ -158,7 +158,7 @@ def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
     for seed in range(6):
         description = describe(sample(recipe, "medium", seed=seed), seed)
         apart = units(description.text)
-        assert text_of(apart) == description.text
+        assert join_units(apart) == description.text
         assert sum(map(is_table, apart)) == sum(map(is_table, description.sentences))
         assert len(apart) == len(description.sentences)
 

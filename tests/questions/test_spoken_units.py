@@ -58,7 +58,7 @@ ROCKET = "A rocket of 1170 kg, in a hall of 12 m, burns 23 kg/s at 0.97 km/s; ho
 )
 def test_units_are_mixed_in_where_a_text_would(text: str, asked: tuple[float, str], said: str) -> None:
     """Texts have no 1.17×10⁶ g beside 23 kg/s, no km/h beside km/s, and no distance of 6.8×10⁶ cm."""
-    assert spoken_in(MIXED.beside(text, asked), text) == said
+    assert spoken_in(MIXED.suited_to(text, asked), text) == said
 
 
 def test_tables_have_their_units_in_the_headings() -> None:

@@ -11,7 +11,7 @@ from plain_scenes import G, atwood, ramp, squeezed, swing, table
 from sim2reason.questions import KINDS, MODES, Noun, Query, SimulatedScene, Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AtStart, AtTime
-from sim2reason.questions.phrasing import QUOTA, asking, chosen
+from sim2reason.questions.phrasing import QUOTA, draw_sentence, question_sentences
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Target, targets
 from sim2reason.scenes.bodies.blocks import Block
@@ -87,7 +87,7 @@ def test_a_component_is_taken_along_the_axes_of_the_motion_at_hand() -> None:
     name = next(named.name for named in scene.entities)
     target = next(t for phrase, t in offered(scene).items() if phrase.startswith("the y component of the velocity"))
     tilted = scene.having(f"{name}.table.angle", 40.0).mechanism
-    assert target.way(tilted) == pytest.approx((0.0, cos(radians(40.0)), sin(radians(40.0))))
+    assert target.direction(tilted) == pytest.approx((0.0, cos(radians(40.0)), sin(radians(40.0))))
 
 
 def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
@@ -120,14 +120,18 @@ def test_a_sign_is_defined_for_components_alone() -> None:
     signed = Target("velocity", "ramp.blocks.0", Sense("up the slope", (0.0, 0.0, 1.0)))
     plain = next(t for t in offered(ramp()).values() if t.quantity == "velocity")
     assert not plain.signed, "which way the block goes, no question tells"
-    assert all("positive" in shape for shape in asking(signed, Noun("the velocity of A"), "just after release"))
-    assert not any("positive" in shape for shape in asking(plain, Noun("the speed of A"), "just after release"))
+    assert all(
+        "positive" in shape for shape in question_sentences(signed, Noun("the velocity of A"), "just after release")
+    )
+    assert not any(
+        "positive" in shape for shape in question_sentences(plain, Noun("the speed of A"), "just after release")
+    )
 
 
 def test_verbs_are_drawn_by_quota() -> None:
     shapes = ("what is it?", "when, what is it?", "if so, what is it?", "find it.", "determine it.", "calculate it.")
     rng, total = np.random.default_rng(0), sum(share for verb, share in QUOTA.items() if verb != "how")
-    drawn = Counter(chosen(shapes, rng) for _ in range(4000))
+    drawn = Counter(draw_sentence(shapes, rng) for _ in range(4000))
     for verb, share in QUOTA.items():
         count = sum(number for shape, number in drawn.items() if verb in shape)
         assert verb == "how" or count / 4000 == pytest.approx(share / total, abs=0.03)
@@ -194,7 +198,7 @@ def test_the_net_angle_is_asked_of_what_may_turn_back(
     scene = Scene(entities=(Named(name="lane", entity=held),))
     found = {t.quantity: n for t, n in targets(words_of(describe(scene))).items()}["angle rolled"]
     assert found.phrase.startswith(f"the {net}angle through which the ")
-    assert found.over.startswith(f"the {net}angle through which the ")
+    assert found.interval_phrase.startswith(f"the {net}angle through which the ")
     turned = QUANTITIES["angle rolled"].evaluate(simulate(scene).scan, "lane.body")
     back = bool((np.diff(turned) < -1e-9 * np.abs(turned).max()).any() and (np.diff(turned) > 0.0).any())
     assert back <= bool(net)

@@ -34,7 +34,7 @@ from sim2reason.scenes.files import loads
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace
 from sim2reason.text.prose.description import describe
-from sim2reason.text.prose.voices import hiding
+from sim2reason.text.prose.voices import symbolic_at
 
 G = 9.8
 LOOP = """
@@ -129,7 +129,7 @@ def test_a_limit_is_found_within_the_usual_range_of_a_number_and_beyond(mass: fl
     assert found == pytest.approx(force * G, rel=1e-6)
     words = words_of(describe(scene))
     asked = pose_question(StructuredQuestion("hand.force", when="lift.load rises"), simulate_scene(scene), words)
-    assert asked.followed(simulate_scene(scene)).answer == pytest.approx(force * G, rel=1e-6)
+    assert asked.simulate_answer(simulate_scene(scene)).answer == pytest.approx(force * G, rel=1e-6)
 
 
 def test_that_a_number_decides_nothing_is_the_reason() -> None:
@@ -138,7 +138,7 @@ def test_that_a_number_decides_nothing_is_the_reason() -> None:
     asked = pose_question(
         StructuredQuestion("ramp.blocks.0.mass", when="slides"), simulate_scene(scene), words_of(describe(scene))
     )
-    found = asked.followed(simulate_scene(scene))
+    found = asked.simulate_answer(simulate_scene(scene))
     assert found.answer is None
     assert found.reason == UNDECIDED
 
@@ -205,7 +205,7 @@ def test_where_a_number_hardly_matters_the_limit_is_found_as_closely() -> None:
     scene = scene.model_copy(update={"entities": (Named(name="one", entity=entity), scene.entities[1])})
     block = "one.system.blocks.0"
     trial = ThresholdSearch(study(scene), OUTCOMES["rises"](block), f"{block}.mass")
-    assert trial.between(0.8 * expected, 1.2 * expected) == pytest.approx(expected, rel=3e-7)
+    assert trial.find_change_between(0.8 * expected, 1.2 * expected) == pytest.approx(expected, rel=3e-7)
 
 
 @pytest.mark.parametrize(
@@ -295,7 +295,7 @@ def test_a_prompt_leads_back_to_its_threshold() -> None:
         )
         question = next(each for each in asked if each is not None)
         assert question.unknown
-        described = describe(scene, 3, hiding(question.unknown))
+        described = describe(scene, 3, symbolic_at(question.unknown))
         read = parse_prompt(prompt(described, question, np.random.default_rng(1)))
         assert read.query.kind == "threshold"
         assert read.answer == pytest.approx(question.answer, rel=1e-5)

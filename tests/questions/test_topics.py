@@ -10,7 +10,7 @@ import pytest
 from sim2reason.errors import TextError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.recipes import RECIPES, find_difficulty
 from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target
 from sim2reason.questions.accuracy import StatedResult
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
@@ -245,7 +245,7 @@ def test_prompts_about_equilibria_of_drawn_chains_state_every_number_that_their_
     told = 0
     for number in range(60):
         rng = np.random.default_rng(number)
-        search = QuestionSearch(RECIPES["chain"](difficulty_named("medium"), rng), number)
+        search = QuestionSearch(RECIPES["chain"](find_difficulty("medium"), rng), number)
         found = search.ask(MODES["numeric"], rng, Counter(), "equilibrium")
         solution = found.candidate.solution if found is not None else None
         if found is None or solution is None or not solution.text.startswith("Given: "):

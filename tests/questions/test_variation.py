@@ -12,7 +12,7 @@ from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.variation import removable, variation
+from sim2reason.questions.variation import find_removable, variation
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.files import load
@@ -37,7 +37,7 @@ def question(name: str, asked: StructuredQuestion) -> PosedQuestion:
 
 def found(name: str, asked: StructuredQuestion) -> float:
     """Return the answer to a structured question."""
-    answer = question(name, asked).followed(scene(name)[0]).answer
+    answer = question(name, asked).simulate_answer(scene(name)[0]).answer
     assert answer is not None
     return answer
 
@@ -78,7 +78,7 @@ def test_a_body_is_held_fixed() -> None:
 def test_the_ratio_of_what_both_scenes_have_needs_a_value_in_both() -> None:
     """A velocity that is zero in both scenes has no ratio, and the reason says so."""
     asked = StructuredQuestion("velocity", "block A", "at 0 s", change=f"{LOAD} × 2, {BLOCK} × 2")
-    followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
+    followed = question("doubled_load", asked).simulate_answer(scene("doubled_load")[0])
     assert followed.answer is None
     assert "nothing to compare it with" in followed.reason
     assert question("doubled_load", asked).unit(scene("doubled_load")[1]) == ""
@@ -103,7 +103,7 @@ def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
 def test_a_change_to_no_scene_has_a_reason() -> None:
     """A negative mass gives no answer, with the reason that there is no such motion."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=f"{LOAD} = -1 kg", compare="value")
-    followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
+    followed = question("doubled_load", asked).simulate_answer(scene("doubled_load")[0])
     assert followed.answer is None
     assert "there is no such motion" in followed.reason
 
@@ -125,7 +125,7 @@ def test_a_speed_is_found_from_its_components(compare: str, value: float) -> Non
 def test_of_several_values_the_least_or_the_greatest_is_told() -> None:
     """Two launch angles have the same range; without "least" or "greatest" there is no answer."""
     asked = StructuredQuestion("throw.angle", "the ball", "landed", "x", "displacement = 8 m")
-    followed = question("low_throw", asked).followed(scene("low_throw")[0])
+    followed = question("low_throw", asked).simulate_answer(scene("low_throw")[0])
     assert followed.answer is None
     assert "several values" in followed.reason
     for end, other in (("least", "greatest"), ("greatest", "least")):
@@ -206,7 +206,7 @@ def test_a_motion_goes_on_after_a_string_is_cut(change: str) -> None:
         along = "up" if find == "velocity" else ""
         asked = StructuredQuestion(find, of, when, along, change=change)
         assert found(HUNG, asked) == pytest.approx(value, rel=1e-8)
-        assert "ratio" not in asked.told
+        assert "ratio" not in asked.text
 
 
 def test_other_numbers_may_change_too() -> None:
@@ -238,7 +238,7 @@ def test_a_hand_lets_go_and_a_field_is_switched_off() -> None:
     """The force of a hand and an electric field can be removed; the bead then has the period 2πm/(qB)."""
     scene_of = {"hand_drawn_block": "the hand", "crossed_fields": "the electric field"}
     for name, what in scene_of.items():
-        assert what in removable(scene(name)[1]).values()
+        assert what in find_removable(scene(name)[1]).values()
     asked = StructuredQuestion("period", change="the electric field switched off at 0.3 s")
     read = load(SCENES / "crossed_fields.yaml").mechanism
     field = next(force for force in read.forces if force.name.endswith("magnetic"))

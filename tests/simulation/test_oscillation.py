@@ -10,7 +10,7 @@ from resting import RESTFUL, rests
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Magnetic, Profile, Resistance
 from sim2reason.scenes.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
-from sim2reason.scenes.dsl.state import displaced
+from sim2reason.scenes.dsl.state import displace
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.equilibrium import equilibrium, neighbour
 from sim2reason.simulation.oscillation import oscillations
@@ -210,7 +210,7 @@ def test_the_motion_itself_at_a_small_amplitude(recipe: str) -> None:
         for number, frequency in enumerate(modes.frequencies.tolist()):
             shape = modes.shapes[:, number]
             begun = neighbour(rest, 2e-5 * shape / np.abs(shape).max())
-            there = displaced(rest.mechanism, begun.tolist(), [0.0] * len(begun))
+            there = displace(rest.mechanism, begun.tolist(), [0.0] * len(begun))
             state = simulate(there, pi / frequency * np.arange(3.0)).state
             gone, size = state.q + begun - rest.coordinates, np.abs(begun - rest.coordinates).max()
             assert np.allclose(gone, [gone[0], -gone[0], gone[0]], rtol=0.0, atol=2e-3 * size)

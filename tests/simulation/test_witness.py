@@ -6,7 +6,7 @@ import pytest
 
 from motions import light_rod, spring_block, string_pendulum
 from resting import RESTFUL, rests
-from sim2reason.simulation.equilibrium import Rest, equilibrium
+from sim2reason.simulation.equilibrium import Equilibrium, equilibrium
 from sim2reason.simulation.oscillation import (
     Oscillations,
     equilibrium_disagreement,
@@ -16,7 +16,7 @@ from sim2reason.simulation.oscillation import (
 from states import altered
 
 
-def _found(made: object) -> tuple[Rest, Oscillations]:
+def _found(made: object) -> tuple[Equilibrium, Oscillations]:
     rest = equilibrium(made)  # type: ignore[arg-type]
     assert rest is not None
     modes = oscillations(rest)

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.datasets.items import made
+from sim2reason.datasets.items import make_item
 from sim2reason.generation.filters import FILTERS
 from sim2reason.generation.request import Request
-from sim2reason.questions.difficulty import DIFFICULTIES, MEANINGS, Need
+from sim2reason.questions.difficulty import DIFFICULTIES, NEED_DESCRIPTIONS, Need
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
@@ -93,12 +93,12 @@ def test_the_page_has_the_tables_of_the_code() -> None:
     """The documentation page has a row for each label and each need as declared in the code."""
     lines = PAGE.read_text(encoding="utf-8").splitlines()
     labels = [f"| {name} | {band.text} | {band.meaning} |" for name, band in LABELS.items()]
-    needs = [f"| {need.label} | {meaning} |" for need, meaning in MEANINGS.items()]
+    needs = [f"| {need.label} | {meaning} |" for need, meaning in NEED_DESCRIPTIONS.items()]
     for rows in (labels, needs):
         first = lines.index(rows[0])
         assert lines[first : first + len(rows) + 1] == [*rows, ""]
     assert tuple(LABELS) == DIFFICULTIES
-    assert set(MEANINGS) == set(Need)
+    assert set(NEED_DESCRIPTIONS) == set(Need)
 
 
 def test_bands_ascend_and_overlap() -> None:
@@ -111,7 +111,7 @@ def test_bands_ascend_and_overlap() -> None:
 def test_an_item_fits_its_label(recipe: str) -> None:
     """The item's own measures agree with those of its solution."""
     for label in DIFFICULTIES:
-        item, found = made(Request(recipe, label, "numeric", 21, 0))
+        item, found = make_item(Request(recipe, label, "numeric", 21, 0))
         assert item.measured is not None
         assert item.measured.score in LABELS[label]
         assert found.measured is not None
@@ -121,7 +121,7 @@ def test_an_item_fits_its_label(recipe: str) -> None:
 
 def test_a_question_of_another_difficulty_is_refused() -> None:
     """A question is refused only if a label was ordered."""
-    _, found = made(Request("pulley", "hard", "numeric", 21, 0))
+    _, found = make_item(Request("pulley", "hard", "numeric", 21, 0))
     candidate, difficulty = found.candidate, FILTERS["difficulty"]
     assert candidate.measured is not None
     assert not difficulty.reason(candidate)

@@ -11,7 +11,7 @@ from plain_scenes import G, atwood, ramp
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.item_search import generator
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.recipes import RECIPES, find_difficulty
 from sim2reason.questions import MODES, Query, StatedResult, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
@@ -28,7 +28,7 @@ from sim2reason.solutions.data import as_data
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, faults
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, faults
 from worked import asked
 
 TIME = 0.5
@@ -39,7 +39,7 @@ def solved(setting: ProblemContext) -> Solution:
     assert found.answer is not None, found.reason
     answer = forward(setting).answer
     assert answer is not None
-    assert not faults(found, answer, SEEN.get(setting.query.kind, RELATION_RTOL)), found.text
+    assert not faults(found, answer, RTOL_BY_KIND.get(setting.query.kind, RELATION_RTOL)), found.text
     assert not read(found.text).broken
     return found
 
@@ -128,9 +128,7 @@ def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[ProblemCont
     for index in range(count):
         rng = generator("kinds", recipe, kind, mode, index)
         try:
-            search = QuestionSearch(
-                RECIPES[recipe](difficulty_named(("easy", "medium", "hard")[index % 3]), rng), index
-            )
+            search = QuestionSearch(RECIPES[recipe](find_difficulty(("easy", "medium", "hard")[index % 3]), rng), index)
             found = search.ask(MODES[mode], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):
             continue
@@ -204,7 +202,7 @@ def test_a_number_that_hardly_changes_what_is_given_is_weighed_by_how_much_it_do
     )
 
     solution = solved(replace(plain, unknown="throw.height", stated=StatedResult(f"{time:.12g}", "s")))
-    assert solution.keen == pytest.approx(abs(slope) * height / time, rel=1e-6)
-    known = height * (1.0 + 0.5 * RELATION_RTOL / solution.keen)
+    assert solution.condition_number == pytest.approx(abs(slope) * height / time, rel=1e-6)
+    known = height * (1.0 + 0.5 * RELATION_RTOL / solution.condition_number)
     assert not faults(solution, known)
     assert faults(replace(solution, keen=1.0), known)

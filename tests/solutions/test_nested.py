@@ -16,7 +16,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import MODES, Query, SimulatedScene, Target
 from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.questions.kinds.comparison import ComparisonQuery
-from sim2reason.questions.kinds.nested import stripped
+from sim2reason.questions.kinds.nested import without_target_and_moment
 from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.bodies.blocks import Block
@@ -28,10 +28,10 @@ from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.derivation import may_have_solution
-from sim2reason.solutions.laws.nested import inserted
+from sim2reason.solutions.laws.nested import insertion_sentence
 from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, faults
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, faults
 from worked import asked
 
 V, T, S = map(Symbol, ("v", "t", "s"))
@@ -42,7 +42,7 @@ def test_a_comparison_puts_the_other_value_into_the_formula() -> None:
     body = next(body.name for body in scene.mechanism.bodies if body.coordinates)
     inner = Query("start", Target("acceleration", body), AllAlong())
     path = next(p.path for p in scene.parameters if p.value == 3.0 and p.measure.name == "mass")
-    query = ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path)
+    query = ComparisonQuery("comparison", inner.target, inner.moment, without_target_and_moment(inner), path)
     setting = asked(scene, query)
     found = solve(setting)
     assert found.answer == pytest.approx(2.5, rel=1e-9)
@@ -79,7 +79,7 @@ def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str, scen
     for found in drawn("numeric", "comparison", recipe, scenes):
         solution = solve(found.setting)
         assert solution.answer is not None, (found.prompt, solution.reason)
-        assert not faults(solution, found.question.answer, SEEN.get("comparison", 1e-9)), solution.text
+        assert not faults(solution, found.question.answer, RTOL_BY_KIND.get("comparison", 1e-9)), solution.text
         assert not read(solution.text).broken
         count += 1
     assert count
@@ -91,8 +91,10 @@ def test_it_is_said_what_is_inserted_before_the_other_value_is_put_in() -> None:
         book.set_value(name, value)
     for name, formula in {"s": V * T, "w": S * V}.items():
         book.add_step("law", "So", Symbol(name), formula)
-    assert inserted(book, "w", "$w = v^{2} t$") == "Inserting $s$ into the equation for $w$ gives $w = v^{2} t$."
-    assert inserted(book, "s", "$s = v t$") == "In short, $s = v t$."
+    assert (
+        insertion_sentence(book, "w", "$w = v^{2} t$") == "Inserting $s$ into the equation for $w$ gives $w = v^{2} t$."
+    )
+    assert insertion_sentence(book, "s", "$s = v t$") == "In short, $s = v t$."
 
 
 @pytest.mark.parametrize(
@@ -155,7 +157,9 @@ def test_what_the_first_case_rests_on_is_shown_of_the_second_too() -> None:
     path = next(p.path for p in scene.parameters if p.measure.name == "stiffness")
     trolley = next(body.name for body in scene.mechanism.bodies if body.mass)
     inner = Query("event", Target("displacement", trolley), Stopped(trolley))
-    query = ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, 0.5, False, False)
+    query = ComparisonQuery(
+        "comparison", inner.target, inner.moment, without_target_and_moment(inner), path, 0.5, False, False
+    )
     told = solve(asked(scene, query)).text
     assert re.search(
         r"With \$k\$ halved, \$F_\{0,\\text\{new\}\} = [^$]*\$ still exceeds \$f_\{\\text\{max\}\}\$", told

@@ -24,7 +24,7 @@ def told(
     step.add_text("Before.")
     step.close()
     step = book.begin_step("solve")
-    OtherRoots(book, "x", lambda name: Chain(((name, X),))).tell(step, "x", found, others, written)
+    OtherRoots(book, "x", lambda name: Chain(((name, X),))).write_exclusions(step, "x", found, others, written)
     step.close()
     last = book.steps[-1]
     return (last.text, last.relations) if len(book.steps) > 1 else ("", ())
@@ -65,7 +65,7 @@ def test_a_second_positive_root_is_excluded_by_a_comparison_or_nothing_is_solved
     step.close()
     shown = (Power(X, 2) - Number(5.0) * X, Number(-6.0))
     step = book.begin_step("solve")
-    OtherRoots(book, "x", lambda name: Chain(((name, X),))).tell(step, "x", X, [], [shown, shown])
+    OtherRoots(book, "x", lambda name: Chain(((name, X),))).write_exclusions(step, "x", X, [], [shown, shown])
     step.close()
     (check,) = book.checks.values()
     if told_of:

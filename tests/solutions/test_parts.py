@@ -6,11 +6,11 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.multipart.recall import recall_results
-from sim2reason.solutions.solution import Relation, Solution, Step, chosen
+from sim2reason.solutions.solution import Relation, Solution, Step, choice_solution
 
 
 def test_the_letter_of_an_option_stands_in_a_paragraph_of_its_own() -> None:
-    text = chosen(Solution("", goal="v", answer=2.0, values={"v": 2.0}), "C").text
+    text = choice_solution(Solution("", goal="v", answer=2.0, values={"v": 2.0}), "C").text
     assert text.split("\n\n") == [r"Answer: $v \approx 2.00$.", r"That is option $\boxed{\text{C}}$."]
 
 

@@ -19,7 +19,7 @@ from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Role
-from sim2reason.solutions.verification import WHY, verification_fault, verify_solution
+from sim2reason.solutions.verification import RECOMPUTATION_FAILED, verification_fault, verify_solution
 from worked import asked, settings_of
 
 TENSION = "What is the tension in the string just after release?"
@@ -53,7 +53,7 @@ def test_what_is_refused_says_why() -> None:
         refused = verify_solution(spoiled, setting())
         assert refused.answer is None
         assert refused.strategy == found.strategy
-        assert refused.reason.startswith(WHY)
+        assert refused.reason.startswith(RECOMPUTATION_FAILED)
 
 
 @pytest.mark.parametrize("role", ["result", "derived", "verified", "trial", "condition"])
@@ -63,7 +63,7 @@ def test_a_number_that_is_only_asserted_is_no_solution(role: Role) -> None:
     bare = Step(0, "answer", "", (Relation(Symbol("X"), Number(held.answer), role),), ("X",), ())
     refused = verify_solution(Solution("claims", (bare,), {"X": held.answer}, "X", held.answer), held)
     assert refused.answer is None
-    assert refused.reason.startswith(WHY)
+    assert refused.reason.startswith(RECOMPUTATION_FAILED)
 
 
 @pytest.mark.parametrize("name", ["Z_hidden", "T"])
@@ -119,12 +119,16 @@ def test_what_is_refused_lets_the_next_strategy_try(monkeypatch: pytest.MonkeyPa
     held, right = setting(), solve(setting())
 
     def refuse(found: Solution, of: ProblemContext) -> Solution:
-        return Solution(found.strategy, reason=WHY) if found.strategy == right.strategy else verify_solution(found, of)
+        return (
+            Solution(found.strategy, reason=RECOMPUTATION_FAILED)
+            if found.strategy == right.strategy
+            else verify_solution(found, of)
+        )
 
     monkeypatch.setattr(import_module("sim2reason.solutions.solve"), "verify_solution", refuse)
     other = solve(held)
     assert other.strategy != right.strategy
-    assert other.answer is not None or f"{right.strategy}: {WHY}" in other.reason
+    assert other.answer is not None or f"{right.strategy}: {RECOMPUTATION_FAILED}" in other.reason
     assert solve(held, derived=True).strategy == right.strategy  # what only leads to formulas is not looked at
 
 

@@ -50,7 +50,7 @@ class Moment:
             if frame.spin is not None and any(body.inertia):
                 xx, yy, zz, xy, xz, yz = body.inertia
                 tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-                spin = array(frame.unturned(frame.spin), self.times)
+                spin = array(frame.to_body_axes(frame.spin), self.times)
                 total += 0.5 * np.einsum("mi,ij,mj->m", spin, tensor, spin)
         return total
 

@@ -225,7 +225,9 @@ class _Statics:
         return pulls and slack and pushed and apart
 
     def _is_within(self, q: Vector) -> bool:
-        return all(limit.room + limit.sign * float(q[limit.coordinate]) >= -SAME for limit in self.system.limits)
+        return all(
+            limit.initial_travel + limit.sign * float(q[limit.coordinate]) >= -SAME for limit in self.system.limits
+        )
 
     def _is_stable(self, x: Vector) -> bool:
         """Return whether the stiffness is positive along the allowed motions; raise if a motion needs no force."""

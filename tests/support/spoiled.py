@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.fields import Profile, Push, Resistance
 from sim2reason.scenes.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
 from sim2reason.scenes.dsl.template import Saying, assuming, either
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, scale_triple
 
 Thrust = Annotated[float, Measure("force", "N", "F"), Range(1.0, 9.0)]
 
@@ -163,7 +163,7 @@ class Lying:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return a force along x that decreases with the velocity."""
         del place, time, maths
-        return times(self.strength - velocity[0], X)
+        return scale_triple(self.strength - velocity[0], X)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return None."""
@@ -198,7 +198,7 @@ class Moody:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return a force along x."""
         del place, velocity, time, maths
-        return times(self.strength + 0.1 * next(self.asked), X)
+        return scale_triple(self.strength + 0.1 * next(self.asked), X)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return None."""

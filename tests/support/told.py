@@ -12,7 +12,7 @@ from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.scenes import certify
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
-from sim2reason.text.parsing.sentences import pieces
+from sim2reason.text.parsing.sentences import split_pieces
 from sim2reason.text.prose.description import Description, describe
 
 
@@ -43,7 +43,7 @@ def check_told(scene: Scene, seed: int) -> None:
 def check_whole(scene: Scene, seed: int) -> None:
     """Assert that a text without any one sentence or table row has another meaning or none."""
     description = describe(scene, seed)
-    for text in shortened(list(pieces(description.text))):
+    for text in shortened(list(split_pieces(description.text))):
         try:
             found = understood(text)
         except TextError:

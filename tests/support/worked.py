@@ -11,7 +11,7 @@ from typing import cast
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.item_search import generator
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.recipes import RECIPES, find_difficulty
 from sim2reason.questions import MODES, Formula, Query
 from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.prompt_formats import parse_parts
@@ -119,7 +119,7 @@ def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequenc
     for attempt in range(TRIES):
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:
-            search = QuestionSearch(RECIPES[recipe](difficulty_named(difficulty), rng), int(rng.random() * 2**31))
+            search = QuestionSearch(RECIPES[recipe](find_difficulty(difficulty), rng), int(rng.random() * 2**31))
             kind = kinds[index % len(kinds)]
             found = search.ask(MODES["numeric"], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):

@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import Relation, Solution, solve
-from sim2reason.solutions.algebra.expressions import Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import Number, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import faults, undetermined
@@ -50,7 +50,7 @@ def test_a_relation_that_does_not_hold() -> None:
     found = sound()
 
     def wrong(relations: tuple[Relation, ...]) -> tuple[Relation, ...]:
-        return tuple(replace(r, right=added(r.right, Number(0.1))) for r in relations)
+        return tuple(replace(r, right=sum_terms(r.right, Number(0.1))) for r in relations)
 
     assert any("does not hold" in fault for fault in faults(altered(found, "combine", wrong), found.answer or 0.0))
 
@@ -62,7 +62,7 @@ def test_a_law_that_is_missing() -> None:
 
 def test_a_law_that_is_superfluous() -> None:
     found = sound()
-    idle = Relation(Symbol("x"), multiplied(Number(2.0), Symbol("a")), "law")
+    idle = Relation(Symbol("x"), multiply_factors(Number(2.0), Symbol("a")), "law")
     found = altered(found, "newton", lambda relations: (*relations, idle))
     found = replace(found, values={**found.values, "x": 2.0 * found.values["a"]})
     assert any("superfluous" in fault for fault in faults(found, found.answer or 0.0))
@@ -121,8 +121,8 @@ def test_what_rounding_leaves_of_zero_does_not_make_a_law_idle() -> None:
     """In a limiting case both accelerations are zero, one of them up to 1e-16, but its law is still needed."""
     a, b, m = Symbol("a"), Symbol("b"), Symbol("m")
     laws = (
-        Relation(m, added(Number(2.0), a), "law"),
-        Relation(a, multiplied(Number(-2.0), b), "law"),
+        Relation(m, sum_terms(Number(2.0), a), "law"),
+        Relation(a, multiply_factors(Number(-2.0), b), "law"),
         Relation(b, Number(0.0), "law"),
     )
     step = replace(sound().steps[-1], relations=laws, gives=("m",))

@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import MissingExtraError, TrainingError, UnknownNameError
-from sim2reason.evaluation.policies import SampleRequest, policy_from
+from sim2reason.evaluation.policies import SampleRequest, build_policy
 from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.text.prose.description import describe
-from sim2reason.training.models import language_models, model_from
+from sim2reason.training.models import build_model, language_models
 
 needed = ("torch", "transformers", "tokenizers", "accelerate")
 installed = pytest.mark.skipif(not all(map(find_spec, needed)), reason="needs the libraries of the extra [train]")
@@ -49,14 +49,14 @@ def texts() -> list[str]:
 )
 def test_what_makes_no_sense_is_said_with_its_place(settings: dict[str, object], message: str) -> None:
     with pytest.raises(TrainingError) as raised:
-        model_from(settings)
+        build_model(settings)
     assert message in str(raised.value)
     assert "\n" not in str(raised.value)
 
 
 def test_an_unknown_kind_is_said_with_what_is_near() -> None:
     with pytest.raises(UnknownNameError, match="did you mean: scratch"):
-        model_from({"kind": "scrach"})
+        build_model({"kind": "scrach"})
 
 
 @pytest.mark.parametrize("kind", [{"kind": "pretrained", "model": "nowhere"}, TINY])
@@ -66,7 +66,7 @@ def test_a_missing_library_is_named_with_its_extra(
     for name in needed:
         monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(MissingExtraError, match=r"pip install .*'torch"):
-        model_from(kind).load([], tmp_path / "model")
+        build_model(kind).load([], tmp_path / "model")
 
 
 @installed
@@ -104,10 +104,10 @@ def test_a_model_is_the_same_each_time_and_other_with_another_seed(tmp_path: Pat
 
     known = texts()
     before = torch.random.get_rng_state()
-    first = model_from(TINY).load(known, tmp_path / "a")
+    first = build_model(TINY).load(known, tmp_path / "a")
     assert torch.equal(before, torch.random.get_rng_state())
-    again = model_from(TINY).load(reversed(known), tmp_path / "b")
-    other = model_from({**TINY, "seed": 1}).load(known, tmp_path / "c")
+    again = build_model(TINY).load(reversed(known), tmp_path / "b")
+    other = build_model({**TINY, "seed": 1}).load(known, tmp_path / "c")
     weights = [dict(loaded.model.state_dict()) for loaded in (first, again, other)]
     assert all(torch.equal(weights[0][name], weights[1][name]) for name in weights[0])
     assert not all(torch.equal(weights[0][name], weights[2][name]) for name in weights[0])
@@ -131,13 +131,13 @@ def test_bytes_hang_neither_on_the_process_nor_on_threads(tmp_path: Path) -> Non
 
 @installed
 def test_it_is_loaded_by_its_folder_like_any_checkpoint(tmp_path: Path) -> None:
-    made = model_from(TINY).load(texts(), tmp_path / "model")
+    made = build_model(TINY).load(texts(), tmp_path / "model")
     assert made.path == str(tmp_path / "model")
-    read = model_from({"kind": "pretrained", "model": made.path}).load([], tmp_path / "unused")
+    read = build_model({"kind": "pretrained", "model": made.path}).load([], tmp_path / "unused")
     assert not (tmp_path / "unused").exists()
     assert read.model.num_parameters() == made.model.num_parameters()
     sampling = {"max_tokens": 8}
-    policy = policy_from(
+    policy = build_policy(
         {"kind": "transformers", "name": "tiny", "model": made.path, "device": "cpu", "sampling": sampling}
     )
     prompt = texts()[0][:100]
@@ -149,20 +149,20 @@ def test_it_is_loaded_by_its_folder_like_any_checkpoint(tmp_path: Path) -> None:
 def test_a_folder_is_gone_on_with_or_refused(tmp_path: Path) -> None:
     out = tmp_path / "model"
     (tmp_path / "model.part").mkdir()  # of a run that was killed
-    model_from(TINY).load(["A block."], out)
+    build_model(TINY).load(["A block."], out)
     assert not (tmp_path / "model.part").exists()
     before = {path.name: path.read_bytes() for path in out.iterdir()}
-    model_from(TINY).load(iter(()), out)
+    build_model(TINY).load(iter(()), out)
     assert {path.name: path.read_bytes() for path in out.iterdir()} == before
     with pytest.raises(TrainingError, match="of other settings"):
-        model_from({**TINY, "layers": 1}).load(["A block."], out)
+        build_model({**TINY, "layers": 1}).load(["A block."], out)
     (out / "scratch.json").write_text("{}")
     with pytest.raises(TrainingError, match="no model that was made here"):
-        model_from(TINY).load(["A block."], out)
+        build_model(TINY).load(["A block."], out)
 
 
 @installed
 def test_no_checkpoint_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(TrainingError, match="no model could be loaded") as raised:
-        model_from({"kind": "pretrained", "model": str(tmp_path / "none")}).load([], tmp_path)
+        build_model({"kind": "pretrained", "model": str(tmp_path / "none")}).load([], tmp_path)
     assert "\n" not in str(raised.value)

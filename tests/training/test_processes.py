@@ -11,7 +11,7 @@ import pytest
 
 from sim2reason.errors import TrainingError
 from sim2reason.training import processes
-from sim2reason.training.processes import in_processes, launched
+from sim2reason.training.processes import is_launched, run_in_processes
 
 pytest.importorskip("torch")
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -19,7 +19,7 @@ Begun, Advance = Callable[[str, int], object], Callable[[int], object]
 
 
 def count(folder: Path, begun: Begun, advance: Advance) -> None:
-    assert launched()
+    assert is_launched()
     begun("counting", 2)
     (folder / os.environ["RANK"]).write_text(os.environ["WORLD_SIZE"])
     advance(2)
@@ -49,29 +49,29 @@ def heard() -> tuple[list[object], Begun, Advance]:
 
 def test_each_process_works_and_the_first_is_heard(tmp_path: Path) -> None:
     said, begun, advance = heard()
-    in_processes(3, count, tmp_path, begun, advance)
+    run_in_processes(3, count, tmp_path, begun, advance)
     assert said == [("counting", 2), 2]
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == dict.fromkeys("012", "3")
-    assert not launched()
+    assert not is_launched()
 
 
 @pytest.mark.parametrize("ranks", ["0", "01"])
 def test_an_error_of_the_first_is_raised_here(ranks: str) -> None:
     said, begun, advance = heard()
     with pytest.raises(TrainingError, match="nothing to learn from"):
-        in_processes(2, fail, ranks, begun, advance)
+        run_in_processes(2, fail, ranks, begun, advance)
     assert ("failing", 1) in said
 
 
 def test_an_error_of_another_ends_all() -> None:
     with pytest.raises(TrainingError, match="a process of the run ended with code 2"):
-        in_processes(2, fail, "1", *heard()[1:])
+        run_in_processes(2, fail, "1", *heard()[1:])
 
 
 @pytest.mark.parametrize("rank", ["0", "1"])
 def test_a_process_that_is_killed_ends_all(rank: str) -> None:
     with pytest.raises(TrainingError, match="ended with code -9"):
-        in_processes(2, vanish, rank, *heard()[1:])
+        run_in_processes(2, vanish, rank, *heard()[1:])
 
 
 class Seen:

@@ -5,7 +5,7 @@ import pytest
 from sim2reason.datasets.items import item
 from sim2reason.errors import TrainingError, UnknownNameError
 from sim2reason.evaluation.benchmarks.own import benchmark_item
-from sim2reason.training.rewards import REWARDS, Reward, reward_from, reward_function
+from sim2reason.training.rewards import REWARDS, Reward, build_reward, reward_function
 from sim2reason.training.sources import Problem
 
 
@@ -15,7 +15,7 @@ def problem() -> Problem:
 
 
 def rewards(kind: str, problem: Problem, texts: list[object]) -> list[float | None]:
-    found = reward_from(kind)
+    found = build_reward(kind)
     assert isinstance(found, Reward)
     rows = [problem.row(chat=False)["problem"]] * len(texts)
     return reward_function(found)([problem.item.prompt] * len(texts), texts, problem=rows)
@@ -53,8 +53,8 @@ def test_no_reward_fails_on_hostile_text(kind: str, hostile: str, problem: Probl
 
 def test_a_reward_has_a_known_kind_and_settings() -> None:
     with pytest.raises(UnknownNameError, match="among rewards"):
-        reward_from("acuracy")
+        build_reward("acuracy")
     with pytest.raises(TrainingError, match=r"reward\.seed"):
-        reward_from({"kind": "random", "seed": -1})
+        build_reward({"kind": "random", "seed": -1})
     with pytest.raises(TrainingError, match=r"reward\.kind"):
-        reward_from({"seed": 1})
+        build_reward({"seed": 1})

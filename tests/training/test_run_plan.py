@@ -9,9 +9,9 @@ import pytest
 
 import short_run
 from sim2reason.errors import Sim2ReasonError, TrainingError
-from sim2reason.training.rl.config import TrainingFolder, reinforcement_learning_from
+from sim2reason.training.rl.config import TrainingFolder, build_reinforcement_learning
 from sim2reason.training.run_files import RL_PLAN, SFT_PLAN, claim
-from sim2reason.training.sft.config import SftFolder, fine_tuning_from
+from sim2reason.training.sft.config import SftFolder, build_fine_tuning
 
 Settings = dict[str, Any]
 MODEL = {"kind": "pretrained"}
@@ -25,7 +25,7 @@ def tuned(out: Path, **changed: object) -> SftFolder:
     settings = {"out": out, "model": {"kind": "scratch"}, "corpora": [{"kind": "drills"}], "steps": 1, **changed}
     folder = SftFolder(out)
     out.mkdir(exist_ok=True)
-    folder.claim(fine_tuning_from(settings))
+    folder.claim(build_fine_tuning(settings))
     return folder
 
 
@@ -35,7 +35,7 @@ def reinforced(out: Path, **changed: object) -> TrainingFolder:
         del settings["warm_start"]
     folder = TrainingFolder(out)
     out.mkdir(exist_ok=True)
-    folder.claim(reinforcement_learning_from(settings))
+    folder.claim(build_reinforcement_learning(settings))
     return folder
 
 

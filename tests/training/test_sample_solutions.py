@@ -14,7 +14,7 @@ from sim2reason.datasets.generate import generate
 from sim2reason.errors import DatasetError, EvaluationError, PolicyError, TrainingError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
 from sim2reason.evaluation.policy_pass import solvable
-from sim2reason.training.corpora import corpus_from
+from sim2reason.training.corpora import build_corpus
 from sim2reason.training.corpora.solutions import sample_solutions
 
 
@@ -153,7 +153,7 @@ def test_a_corpus_reads_what_is_kept_and_believes_nothing_else(
     dataset: Dataset, teacher: Teacher, tmp_path: Path
 ) -> None:
     out = tmp_path / "solutions"
-    corpus = corpus_from({"kind": "sampled", "folder": str(out)})
+    corpus = build_corpus({"kind": "sampled", "folder": str(out)})
     with pytest.raises(TrainingError, match=r"no sampled\.json here"):
         list(corpus.rows(Counter()))
     found = sample_solutions(dataset.path, out, teacher, k=4)

@@ -14,7 +14,7 @@ import pytest
 
 from sim2reason.errors import DatasetError, MissingExtraError, TrainingError, UnknownNameError
 from sim2reason.training import train
-from sim2reason.training.sft.config import FineTuning, SftFolder, fine_tuning_from
+from sim2reason.training.sft.config import FineTuning, SftFolder, build_fine_tuning
 from sim2reason.training.sft.run import NEEDED, train_sft
 from sim2reason.training.sft.trainer import batches_by_length
 
@@ -82,7 +82,7 @@ def weights(out: object) -> bytes:
 )
 def test_what_makes_no_sense_is_one_line_with_its_place(settings: Settings, change: Settings, message: str) -> None:
     with pytest.raises(TrainingError) as raised:
-        fine_tuning_from({**settings, **change})
+        build_fine_tuning({**settings, **change})
     assert message in str(raised.value)
     assert "\n" not in str(raised.value)
 
@@ -91,16 +91,16 @@ def test_a_file_is_named_before_the_place(settings: Settings, tmp_path: Path) ->
     path = tmp_path / "config.yaml"
     path.write_text(json.dumps({**settings, "model": {"kind": "scrach"}}))
     with pytest.raises(UnknownNameError, match=r"config\.yaml: .*did you mean: scratch"):
-        fine_tuning_from(path)
+        build_fine_tuning(path)
     path.write_text(json.dumps(settings))
-    assert fine_tuning_from(path) == fine_tuning_from(settings)
-    assert fine_tuning_from(path, tmp_path / "other").out == tmp_path / "other"
+    assert build_fine_tuning(path) == build_fine_tuning(settings)
+    assert build_fine_tuning(path, tmp_path / "other").out == tmp_path / "other"
     with pytest.raises(UnknownNameError, match=r"no such method of training: 'dpo'; there are: .*sft"):
         train("dpo", settings)
 
 
 def test_steps_follow_from_epochs_and_a_batch_is_dealt_to_devices(settings: Settings) -> None:
-    found = fine_tuning_from({**settings, "steps": None, "epochs": 2.5, "batch": 12})
+    found = build_fine_tuning({**settings, "steps": None, "epochs": 2.5, "batch": 12})
     assert [found.steps_of(rows) for rows in (1, 12, 13, 60)] == [3, 3, 5, 13]
     assert found.accumulated(1) == (12, 1)
     assert found.accumulated(3) == (4, 1)
@@ -112,7 +112,7 @@ def test_steps_follow_from_epochs_and_a_batch_is_dealt_to_devices(settings: Sett
 
 
 def test_what_decides_the_weights_has_its_kinds_and_no_paths_of_ours(settings: Settings) -> None:
-    found = fine_tuning_from(settings).decisive
+    found = build_fine_tuning(settings).decisive
     assert found["model"]["kind"] == "scratch"
     assert found["corpora"][0]["kind"] == "jsonl"
     assert not set(found) & FineTuning.operational
@@ -169,7 +169,7 @@ def test_no_attention_of_cudnn_is_used(settings: Settings) -> None:
 @installed
 @pytest.mark.parametrize("optimizer", ["adamw", "muon"])
 def test_it_learns_and_loads_like_any_checkpoint(settings: Settings, optimizer: str) -> None:
-    from sim2reason.training.models import model_from
+    from sim2reason.training.models import build_model
 
     begun, done = list[tuple[str, int]](), list[int]()
     settings |= {"steps": 30, "optimizer": optimizer, "batch": 32, "save_every": 100, "decay": 0.3}
@@ -183,7 +183,7 @@ def test_it_learns_and_loads_like_any_checkpoint(settings: Settings, optimizer: 
     assert lines[20]["learning_rate"] == lines[0]["learning_rate"] > lines[25]["learning_rate"]
     assert (begun, sum(done)) == ([("fine-tuning", 30)], 30)
     assert (found.rows, found.steps, found.left_out) == (32, 30, {})
-    model = model_from({"kind": "pretrained", "model": str(Path(settings["out"]) / found.model)})
+    model = build_model({"kind": "pretrained", "model": str(Path(settings["out"]) / found.model)})
     assert model.load([], Path()).model.num_parameters() == found.parameters
     assert not list((Path(settings["out"]) / "model").glob("*.bin"))
     assert train_sft(settings, advance=done.append) == found
@@ -197,13 +197,13 @@ def test_only_completions_are_learned_whatever_their_prompts_say(settings: Setti
 
     settings |= {"steps": 1, "batch": 32, "learning_rate": 1e-9, "micro_batch": 8}
     train_sft(settings)
-    from sim2reason.training.corpora.rows import encoded
+    from sim2reason.training.corpora.rows import encode_rows
     from sim2reason.training.models.checkpoints import Checkpoint
 
     folder = SftFolder(Path(settings["out"]))
     loaded = Checkpoint(str(folder.initial)).load()
     total, count = 0.0, 0
-    for row in encoded(folder.rows(), loaded.tokenizer, chat=False):
+    for row in encode_rows(folder.rows(), loaded.tokenizer, chat=False):
         tokens = torch.tensor([row.prompt + row.completion])
         with torch.no_grad():
             chances = torch.log_softmax(loaded.model(tokens).logits[0, :-1], dim=1)

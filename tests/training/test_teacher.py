@@ -12,7 +12,7 @@ import yaml
 
 from faulty_endpoint import FAULTS, KEY, Said, answer, serving
 from sim2reason import generate
-from sim2reason.training.corpora.rows import rows_in
+from sim2reason.training.corpora.rows import read_rows
 
 pytest.importorskip("trl")
 MODEL = {"kind": "scratch", "layers": 1, "width": 32, "heads": 2, "vocabulary": 600, "context": 1024}
@@ -41,7 +41,7 @@ def test_right_responses_of_an_endpoint_become_a_model(tmp_path: Path) -> None:
         (tmp_path / "policy.yaml").write_text(yaml.safe_dump(policy))
         out = tmp_path / "solutions"
         command("sample-solutions", problems.path, "--policy", tmp_path / "policy.yaml", "--k", 6, "-o", out)
-    kept = list(rows_in(out / "solutions.jsonl"))
+    kept = list(read_rows(out / "solutions.jsonl"))
     assert kept
     assert {row.prompt: row.completion for row in kept}.items() <= solved.items()
     (tmp_path / "sft.yaml").write_text(

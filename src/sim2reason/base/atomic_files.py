@@ -15,7 +15,7 @@ FOLDER = ".sim2reason"
 """Where a folder that is being filled keeps what the next run needs to go on."""
 
 
-def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
+def write_atomically(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
     """Write a file atomically: `write` fills a temporary file in `scratch`, which is then renamed to `path`.
 
     If the process is killed, the old file, the new one or none exists. OSError names the file that could not be
@@ -37,7 +37,7 @@ def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
 
 def put_text(path: Path, text: str, scratch: Path) -> None:
     """Write a text file atomically."""
-    put(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), scratch)
+    write_atomically(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), scratch)
 
 
 def remove_temporaries(scratch: Path) -> None:
@@ -70,7 +70,7 @@ def canonical(value: object) -> str:
 
 
 @contextmanager
-def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
+def lock_folder(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
     """Lock a folder while the block runs, exclusively, or with other shared holders only.
 
     The lock ends with the process in any case. DatasetError if another run holds it.
@@ -87,7 +87,7 @@ def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
 
 
 @contextmanager
-def working_in(place: Path) -> Generator[None, None, None]:
+def lock_work_folder(place: Path) -> Generator[None, None, None]:
     """Create and lock a folder while the block runs; remove it afterwards if it was created here and stays empty.
 
     DatasetError if another run holds the lock.
@@ -95,7 +95,7 @@ def working_in(place: Path) -> Generator[None, None, None]:
     made = [folder for folder in (place, *place.parents) if not folder.exists()]
     place.mkdir(parents=True, exist_ok=True)
     try:
-        with locked(place):
+        with lock_folder(place):
             yield
     finally:
         for folder in made:

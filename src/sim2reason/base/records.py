@@ -23,13 +23,13 @@ def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[
     return decorated
 
 
-def abridged(text: str, width: int = 60) -> str:
+def abridge(text: str, width: int = 60) -> str:
     """Return a text on one line, cut to at most `width` characters with an ellipsis at the end."""
     line = " ".join(text.split())
     return line if len(line) <= width else f"{line[: width - 1]}…"
 
 
-def counted(number: int, noun: str, plural: str = "") -> str:
+def format_count(number: int, noun: str, plural: str = "") -> str:
     """Return a number with its noun in the singular or plural, such as ``1 body`` or ``2 bodies``."""
     return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
 

@@ -90,7 +90,7 @@ class Registry(Mapping[str, T], Generic[T]):
             other: member_name for member_name, member in self._members.items() for other in getattr(member, "also", ())
         }
         names = [*self._members, *canonical]
-        near = nearest(name.lower(), names) if isinstance(name, str) else []
+        near = similar_names(name.lower(), names) if isinstance(name, str) else []
         near = list(dict.fromkeys(canonical.get(candidate, candidate) for candidate in near))
         if near:
             return f"did you mean: {', '.join(near)}"
@@ -137,7 +137,7 @@ def further_members() -> dict[str, tuple[str, ...]]:
     return by_module
 
 
-def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
+def similar_names(name: str, names: Iterable[str], most: int = 3) -> list[str]:
     """Return the names most similar to `name`, the best first, at most `most` of them."""
     matches = get_close_matches(name, names, n=most) if len(name) <= MAX_NAME_LENGTH else []
     return [other for other in matches if _likeness(name, other) >= SIMILARITY_CUTOFF * _likeness(name, matches[0])]
@@ -188,7 +188,7 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
     """
     known = registries()
     if kind is not None and kind not in known:
-        near = nearest(str(kind).lower(), known)
+        near = similar_names(str(kind).lower(), known)
         hint = f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(known)}"
         raise UnknownNameError(f"no such kind: {kind!r}; {hint}")
     chosen = known if kind is None else {kind: known[kind]}

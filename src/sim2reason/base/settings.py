@@ -11,12 +11,12 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.yaml_text import NUMBER, TRUTH
 from sim2reason.errors import EvaluationError, Sim2ReasonError
 
-__all__ = ["build_each", "build_member", "configuration", "first_fault", "settings_in", "validated"]
+__all__ = ["build_each", "build_member", "configuration", "first_fault", "read_settings", "validate_with"]
 
 T = TypeVar("T")
 
 
-def validated(check: Callable[[T], object], value: T) -> T:
+def validate_with(check: Callable[[T], object], value: T) -> T:
     """Return the value if `check` accepts it; for validators, errors of the library become ValueError."""
     try:
         check(value)
@@ -76,7 +76,7 @@ class _Plain(SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-def settings_in(path: Path) -> dict[str, object]:
+def read_settings(path: Path) -> dict[str, object]:
     """Return the mapping in a YAML file; EvaluationError, without contents of the file, if it is not a mapping."""
     with path.open("rb") as file:
         content = file.read(MAX_BYTES + 1)
@@ -135,7 +135,7 @@ def configuration(
         EvaluationError: a file that is no YAML.
     """
     prefix = "" if isinstance(config, Mapping) else f"{config}: "
-    settings = dict(config) if isinstance(config, Mapping) else settings_in(Path(config))
+    settings = dict(config) if isinstance(config, Mapping) else read_settings(Path(config))
     if out is not None:
         settings["out"] = out
     try:

@@ -46,7 +46,7 @@ LETTERS = {"y", "n"}  # which YAML 1.1 takes for true and false, but hardly any 
 _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # when not exactly true, false or null
 
 
-def shown(value: object) -> str:
+def quote_value(value: object) -> str:
     """Return a value as one line of text for an error message, shortened if long."""
     text = json.dumps(value, ensure_ascii=True, default=str)
     return text if len(text) <= 40 else f"{text[:37]}..."
@@ -67,7 +67,7 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
     except YAMLError as error:
         raise _refusal(error) from None
     except RecursionError:  # PyYAML's pure parser calls itself
-        raise _too_deep("the file") from None
+        raise _depth_error("the file") from None
 
 
 def _refusal(error: YAMLError) -> SceneError:
@@ -76,11 +76,11 @@ def _refusal(error: YAMLError) -> SceneError:
     location = f"line {mark.line + 1}" if mark is not None else "the file"
     problem = " ".join(str(getattr(error, "problem", None) or error).split())
     if "nesting depth" in problem:
-        return _too_deep(location)
+        return _depth_error(location)
     return SceneError(location, f"this is not YAML: {problem}", "mend the indentation and the punctuation")
 
 
-def _too_deep(location: str) -> SceneError:
+def _depth_error(location: str) -> SceneError:
     return SceneError(location, "it is nested too deeply", f"use at most {MAX_DEPTH} levels")
 
 
@@ -116,7 +116,7 @@ class _Reader:
         if isinstance(event, AliasEvent) or event.anchor is not None:
             self._refuse(event, "there is an anchor or alias (& or *)", "write the value out")
         if event.tag is not None:
-            self._refuse(event, f"there is a tag, {shown(event.tag)}", "take it out")
+            self._refuse(event, f"there is a tag, {quote_value(event.tag)}", "take it out")
         if self._lines is not None:
             self._lines["".join(self._path)] = event.start_mark.line + 1
         if isinstance(event, ScalarEvent):
@@ -130,7 +130,7 @@ class _Reader:
         while not isinstance(event := self._parser.get_event(), MappingEndEvent):
             key = self._key(event)
             if key in mapping:
-                self._refuse(event, f"the key {shown(key)} stands here twice", "keep one of them")
+                self._refuse(event, f"the key {quote_value(key)} stands here twice", "keep one of them")
             self._path.append(f".{key}" if self._path else key)
             mapping[key] = self._value(self._parser.get_event())
             self._path.pop()
@@ -153,7 +153,7 @@ class _Reader:
         key = event.value
         unclear = key.lower() in _AMBIGUOUS - LETTERS and not event.style
         if unclear or not _WORD.fullmatch(key) or len(key) > MAX_DIGITS:
-            self._refuse(event, f"{shown(event.value)} can't be a key", "use the keys that the format has")
+            self._refuse(event, f"{quote_value(event.value)} can't be a key", "use the keys that the format has")
         return key
 
     def _scalar(self, event: ScalarEvent) -> Plain:
@@ -176,7 +176,9 @@ class _Reader:
         text = event.value
         match = NUMBER.fullmatch(text)
         if match is None:
-            self._refuse(event, f"{shown(text)[1:-1]} is not a plain number", "write it as 12, 0.5, -3.0 or 1.5e-3")
+            self._refuse(
+                event, f"{quote_value(text)[1:-1]} is not a plain number", "write it as 12, 0.5, -3.0 or 1.5e-3"
+            )
         if len(text) > MAX_DIGITS:
             self._refuse(event, f"this number has more than {MAX_DIGITS} characters", "write it as 1.5e-3")
         if match[1] is None and match[2] is None:

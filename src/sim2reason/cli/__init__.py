@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 import click
 
-from sim2reason.base.registry import nearest
+from sim2reason.base.registry import similar_names
 from sim2reason.cli import console, process
 
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
@@ -74,7 +74,11 @@ class Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the named command with its arguments; the error for an unknown name suggests the nearest names."""
-        if args and self.get_command(ctx, args[0]) is None and (near := nearest(args[0], self.list_commands(ctx))):
+        if (
+            args
+            and self.get_command(ctx, args[0]) is None
+            and (near := similar_names(args[0], self.list_commands(ctx)))
+        ):
             ctx.fail(f"No such command {args[0]!r}. Did you mean: {', '.join(near)}?")
         return super().resolve_command(ctx, args)
 

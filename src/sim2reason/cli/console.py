@@ -157,7 +157,7 @@ class Lines:
         self._what, self._total, self._done = what, total, 0
         self._ended = Event()
         self._begun = time.monotonic()
-        self._thread = Thread(target=self._tell, args=(OFTEN if verbose() else SELDOM,), daemon=True)
+        self._thread = Thread(target=self._print_progress, args=(OFTEN if verbose() else SELDOM,), daemon=True)
 
     def __enter__(self) -> Self:
         """Start to report progress; the first line appears after one interval."""
@@ -173,7 +173,7 @@ class Lines:
         """Advance the progress count by `steps`."""
         self._done += steps
 
-    def _tell(self, every: float) -> None:
+    def _print_progress(self, every: float) -> None:
         while not self._ended.wait(every):
             explain(f"{self._what}: {self._done} of {self._total}, {time.monotonic() - self._begun:.0f} s")
 

@@ -51,7 +51,7 @@ def grade_command(
     with click.open_file(responses, "rb") as file, files.lines(out) as say:
         given = grade.responses(file, name)
         how = {"lenient": lenient, "partial": partial, "thinking_opened": thinking_opened}
-        for found in grade.graded(Dataset(dataset), given, split=split, **how):
+        for found in grade.grade_all(Dataset(dataset), given, split=split, **how):
             tallies.add(found)
             say(grade.line(found.response, found.score))
     if to_json:
@@ -159,13 +159,13 @@ def eval_command() -> None:
 @click.option("--json", "to_json", is_flag=True, help="Print the report for a program to read.")
 def run(config: Path, out: Path | None, to_json: bool) -> int:
     """Run CONFIG; `eval CONFIG` is the same."""
-    from sim2reason.evaluation.benchmarks.runs.config import evaluation_from
-    from sim2reason.evaluation.reports.evaluation import Evaluated, evaluate
+    from sim2reason.evaluation.benchmarks.runs.config import build_evaluation
+    from sim2reason.evaluation.reports.evaluation import EvaluationResult, evaluate
 
-    evaluation = evaluation_from(config, out)
+    evaluation = build_evaluation(config, out)
     remedy = f"what is finished stays in {evaluation.out}; give the same command again to go on"
     with console.resumable(remedy), console.Bar("answers") as bar:
-        evaluated: Evaluated = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
+        evaluated: EvaluationResult = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
     if to_json:
         console.as_json(evaluated.report.model_dump(mode="json"))
     else:

@@ -28,15 +28,15 @@ STDIN = STDOUT = Path("-")
 def text(path: Path) -> str:
     """Return the content of a scene file or, for ``-``, of standard input; SceneError if too large or not UTF-8."""
     from sim2reason.base.yaml_text import MAX_BYTES
-    from sim2reason.scenes.files import decoded
+    from sim2reason.scenes.files import decode_file
 
     try:
         if path == STDIN:
-            return decoded(sys.stdin.buffer.read(MAX_BYTES + 1))
+            return decode_file(sys.stdin.buffer.read(MAX_BYTES + 1))
         with path.open("rb") as file:
-            return decoded(file.read(MAX_BYTES + 1))
+            return decode_file(file.read(MAX_BYTES + 1))
     except SceneError as error:
-        raise _in_file(path, error) from None
+        raise _error_in_file(path, error) from None
 
 
 def scene(path: Path, content: str | None = None) -> "Scene":
@@ -47,10 +47,10 @@ def scene(path: Path, content: str | None = None) -> "Scene":
     try:
         return loads(content)
     except SceneError as error:
-        raise _in_file(path, error) from None
+        raise _error_in_file(path, error) from None
 
 
-def _in_file(path: Path, error: SceneError) -> SceneError:
+def _error_in_file(path: Path, error: SceneError) -> SceneError:
     name = "standard input" if path == STDIN else str(path)
     return SceneError(f"{name}: {error.place}", error.problem, error.remedy)
 

@@ -9,9 +9,9 @@ from click.core import ParameterSource
 from sim2reason.cli import console, options
 from sim2reason.datasets.build import Work, build, build_part
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.generate import ITEMS, Order, configured, files_to_avoid, order_in
+from sim2reason.datasets.generate import ITEMS, Order, build_config, files_to_avoid, read_order
 from sim2reason.datasets.manifest import Manifest
-from sim2reason.datasets.places import HERE, PATIENCE
+from sim2reason.datasets.places import DEFAULT_TIMEOUT, HERE
 from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
 from sim2reason.datasets.worker import Attempt
 from sim2reason.generation.request import LARGEST
@@ -95,7 +95,7 @@ are to be had than are asked for.
 )
 @options.verbose()
 @options.to_json("Print the manifest for a program to read.")
-@click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
+@click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=DEFAULT_TIMEOUT, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
 def generate_command(
     out: Path,
@@ -109,8 +109,8 @@ def generate_command(
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     if config is not None:
-        order = order_in(config) | _given(order)
-    planned, benchmarks = configured(**order), Benchmarks(files_to_avoid(order))
+        order = read_order(config) | _given(order)
+    planned, benchmarks = build_config(**order), Benchmarks(files_to_avoid(order))
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", planned.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)

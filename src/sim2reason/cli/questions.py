@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 from typing import TYPE_CHECKING, Any
 
 from sim2reason.scenes.dsl.measures import join_unit, show_unit
-from sim2reason.scenes.files import question_of
+from sim2reason.scenes.files import read_question
 
 if TYPE_CHECKING:
     from sim2reason.datasets.scene_questions import SolvedProblem
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 def findable(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
     """Return the names of quantities and numbers of the scene that begin with `incomplete`."""
-    from sim2reason.questions.posing import findable as names
+    from sim2reason.questions.posing import findable_names as names
 
     del param
     words = _words(ctx)
@@ -90,9 +90,9 @@ def ask_command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int,
 
     Every question passes every filter, unless --all is given. Exit code 1 if there are none; standard error says why.
     """
-    from sim2reason.datasets.scene_questions import asked
+    from sim2reason.datasets.scene_questions import ask_scene
 
-    result = asked(files.scene(scene), mode, items, seed, unfiltered=all)
+    result = ask_scene(files.scene(scene), mode, items, seed, unfiltered=all)
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for _, item in result.found.values())
     else:
@@ -207,7 +207,7 @@ def solve_command(scene: Path | None, id: str | None, to_json: bool, **asked: An
         content = _text(scene)
         read = files.scene(scene, content)
         if asked["question"] is None and not any(asked[name] for name in PARTS):
-            asked["question"] = question_of(content)
+            asked["question"] = read_question(content)
         solved = solve(read, **asked)
     if to_json:
         console.as_json(_document(solved))

@@ -51,11 +51,11 @@ def figure_command(scene: Path, out: Path, numbers: bool, seed: int | None) -> N
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.drawing import figure
-    from sim2reason.scenes.files import wording_of
+    from sim2reason.scenes.files import read_wording
 
     check(out)
     content = files.text(scene)
-    loaded, wording = files.scene(scene, content), wording_of(content)
+    loaded, wording = files.scene(scene, content), read_wording(content)
     with files.warnings_told(), files.written(out) as path:
         figure(loaded, path, numbers=numbers, seed=seed, wording=wording)
 
@@ -84,11 +84,11 @@ def plot_command(scene: Path, out: Path, duration: float | None, engine: str, se
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.drawing import plot
-    from sim2reason.scenes.files import wording_of
+    from sim2reason.scenes.files import read_wording
 
     check(out)
     content = files.text(scene)
-    loaded, wording = files.scene(scene, content), wording_of(content)
+    loaded, wording = files.scene(scene, content), read_wording(content)
     with files.written(out) as path:
         plot(loaded, path, duration=duration, engine=engine, seed=seed, wording=wording)
 
@@ -168,17 +168,17 @@ def item_command(
     to_json: bool,
 ) -> None:
     """Make one problem of a recipe, difficulty and mode: the same one that a dataset has."""
-    from sim2reason.datasets.items import made, requested
+    from sim2reason.datasets.items import build_request, make_item
     from sim2reason.figures import canvas
     from sim2reason.figures.drawing import drawing
 
     if figure is not None:
         canvas.check(figure)
     how = weights, units
-    request = requested(
+    request = build_request(
         recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, needs=needs, solutions=solutions
     )
-    item, found = made(request)
+    item, found = make_item(request)
     if figure is not None:
         with files.warnings_told(), files.written(figure) as path:
             canvas.draw(drawing(found.description.scene, found.description), path)

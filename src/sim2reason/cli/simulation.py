@@ -11,7 +11,7 @@ from warnings import catch_warnings, simplefilter
 import click
 
 from sim2reason.cli import console, files, options
-from sim2reason.datasets.processes import ALONE, deaf_children, end_with_parent
+from sim2reason.datasets.processes import SPAWN_CONTEXT, children_ignoring_signals, end_with_parent
 from sim2reason.errors import MotionEndsWarning, Sim2ReasonError, SimulationError
 
 if TYPE_CHECKING:  # numpy is loaded where it is needed: in the worker
@@ -22,16 +22,16 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 
-def sandboxed(patience: float, function: Callable[P, R], *args: P.args, **kwargs: P.kwargs) -> R:
+def run_in_sandbox(patience: float, function: Callable[P, R], *args: P.args, **kwargs: P.kwargs) -> R:
     """Run `function(*args)` in a separate process for at most `patience` seconds, and return its result.
 
     Raises:
         SimulationError: it took longer, or crashed its process.
         Sim2ReasonError, OSError: what the function raises.
     """
-    ours, theirs = ALONE.Pipe(duplex=False)
-    process = ALONE.Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
-    with deaf_children():
+    ours, theirs = SPAWN_CONTEXT.Pipe(duplex=False)
+    process = SPAWN_CONTEXT.Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
+    with children_ignoring_signals():
         process.start()
     theirs.close()  # now the worker alone holds it: its death closes the pipe
     try:
@@ -119,7 +119,7 @@ def simulate_command(
     content = files.text(scene)
     files.scene(scene, content)  # what is wrong with the file is said here, with its name
     with files.written(out) if out is not None else nullcontext() as part:
-        found = sandboxed(patience, run, content, engine, duration, samples, part, truncate)
+        found = run_in_sandbox(patience, run, content, engine, duration, samples, part, truncate)
     if to_json:
         console.as_json(found)
     else:
@@ -181,7 +181,7 @@ def _final(trace: "Trace") -> list[Summary]:
     entries: list[Summary] = []
     for channel, quantity in channels(trace.mechanism):
         value = quantity.evaluate(state, channel.subject)[0].tolist()
-        plain = [_plain(part) for part in value] if quantity.vector else _plain(value)
+        plain = [_finite_or_none(part) for part in value] if quantity.vector else _finite_or_none(value)
         entries.append(
             {
                 "subject": channel.subject,
@@ -193,7 +193,7 @@ def _final(trace: "Trace") -> list[Summary]:
     return entries
 
 
-def _plain(value: float) -> float | None:
+def _finite_or_none(value: float) -> float | None:
     return value + 0.0 if isfinite(value) else None
 
 

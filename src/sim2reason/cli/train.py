@@ -9,7 +9,7 @@ import click
 from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
-    from sim2reason.training.rl.config import Trained
+    from sim2reason.training.rl.config import TrainingResult
     from sim2reason.training.rl.run import Stage
 
 EXAMPLE = """\b
@@ -81,10 +81,10 @@ def train_command() -> None:
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool) -> None:
     """Fine-tune a model on prompts with completions, as the file CONFIG says; needs the extra [train]."""
-    from sim2reason.training.sft.config import fine_tuning_from
+    from sim2reason.training.sft.config import build_fine_tuning
     from sim2reason.training.sft.run import prepare_sft, train_sft
 
-    settings = fine_tuning_from(config, out)
+    settings = build_fine_tuning(config, out)
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases:
         if until is not None:
@@ -95,7 +95,7 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
     if int(os.environ.get("RANK", "0")):  # of several processes, the first speaks
         return
     if result is None:
-        _say_prepared(settings.out, "data")
+        _print_prepared(settings.out, "data")
         return
     if to_json:
         console.as_json(result.model_dump(mode="json"))
@@ -114,20 +114,20 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
-    from sim2reason.training.extras import is_main_process, quiet
-    from sim2reason.training.rl.config import reinforcement_learning_from
+    from sim2reason.training.extras import is_main_process, silence_library
+    from sim2reason.training.rl.config import build_reinforcement_learning
     from sim2reason.training.rl.report import answer_before, report_training
     from sim2reason.training.rl.run import prepare_rl, train_rl
 
-    settings = reinforcement_learning_from(config, out)
+    settings = build_reinforcement_learning(config, out)
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
-    with console.resumable(remedy), console.Phases() as phases, quiet():
+    with console.resumable(remedy), console.Phases() as phases, silence_library():
         if until is not None:
             prepare_rl(settings, until=until, begun=phases.begin, advance=phases.advance)
             if is_main_process():
                 if until == "warm-start":
                     answer_before(settings, phases.begin, phases.advance)
-                _say_prepared(settings.out, until)
+                _print_prepared(settings.out, until)
             return
         result = train_rl(settings, begun=phases.begin, advance=phases.advance)
         main = is_main_process()
@@ -157,16 +157,16 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
 @click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
 def study_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""
-    from sim2reason.training.study.config import study_from
+    from sim2reason.training.study.config import build_study
     from sim2reason.training.study.report import report_study
     from sim2reason.training.study.run import prepare_study, train_study
 
-    study = study_from(config, out)
+    study = build_study(config, out)
     remedy = f"what is finished stays in {study.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases:
         if until is not None:
             prepare_study(study, until=until, begun=phases.begin, advance=phases.advance)
-            _say_prepared(study.out, until)
+            _print_prepared(study.out, until)
             return
         results = train_study(study, begun=phases.begin, advance=phases.advance)
     report = report_study(study) if study.configs[study.runs[0]].held_out else None
@@ -182,9 +182,9 @@ def study_command(config: Path, out: Path | None, until: "Stage | None", to_json
         click.echo(f"The report: {report.folder / 'report.md'}")
 
 
-def _say_prepared(out: Path, until: str) -> None:
+def _print_prepared(out: Path, until: str) -> None:
     click.echo(f"Prepared until {until}: {out}; the same command without --until goes on")
 
 
-def _row(name: str, result: "Trained") -> list[object]:
+def _row(name: str, result: "TrainingResult") -> list[object]:
     return [name, result.steps, result.prompts_consumed, round(result.seconds)]

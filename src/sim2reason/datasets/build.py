@@ -6,14 +6,22 @@ from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.base.atomic_files import FOLDER, LOCK, checksum, locked, put, put_text, remove_temporaries
+from sim2reason.base.atomic_files import (
+    FOLDER,
+    LOCK,
+    checksum,
+    lock_folder,
+    put_text,
+    remove_temporaries,
+    write_atomically,
+)
 from sim2reason.datasets import card, shard_files
 from sim2reason.datasets.card_content import (
-    Counted,
+    HistogramCounts,
     choose_examples,
     count_histograms,
-    drawn_by,
     example,
+    plotting_version,
     put_pictures,
     remove_pictures,
 )
@@ -33,14 +41,14 @@ from sim2reason.datasets.manifest import (
     Shard,
     all_histograms,
     load,
-    merged,
+    merge_cells,
+    merge_counts,
     shards,
-    together,
 )
-from sim2reason.datasets.places import HERE, PATIENCE, Run, WorkerPool, opened
+from sim2reason.datasets.places import DEFAULT_TIMEOUT, HERE, Run, WorkerPool, opened
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
-from sim2reason.datasets.shard_files import shard_of
+from sim2reason.datasets.shard_files import read_shard
 from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
@@ -55,11 +63,11 @@ def finish(journal: Journal) -> Manifest:
     def write(path: Path) -> None:
         with path.open("w", encoding="utf-8", newline="\n") as file:
             for number in range(journal.shards):
-                shard = shard_of(journal, number)
+                shard = read_shard(journal, number)
                 totals.add(shard)
                 file.write(f"{shard.model_dump_json()}\n")
 
-    put(out / SHARDS, write, journal.folder)
+    write_atomically(out / SHARDS, write, journal.folder)
     manifest = _illustrated(journal, totals.manifest(journal)).sealed()
     put_text(out / MANIFEST, manifest.text(), journal.folder)
     return manifest
@@ -68,11 +76,11 @@ def finish(journal: Journal) -> Manifest:
 def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
     """Write the dataset card and its pictures, and return the manifest with the checksums of both."""
     out, config = journal.out, journal.plan.config
-    shards = (shard_of(journal, number) for number in range(journal.shards))
+    shards = (read_shard(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)
     shown = [example(item, config) for item in choose_examples(shard_files.items(out, first) if first else ())]
     pictures = put_pictures(out, journal.folder, manifest.histograms, shown)
-    manifest = manifest.model_copy(update={"pictures": drawn_by() if pictures else ""})
+    manifest = manifest.model_copy(update={"pictures": plotting_version() if pictures else ""})
     put_text(out / CARD, card.text(manifest, shown, pictures), journal.folder)
     files = {name: checksum(out / name) for name in sorted([CARD, SHARDS, *pictures])}
     remove_pictures(out, {name: sha256 for name, sha256 in journal.files_before.items() if name not in files})
@@ -85,7 +93,7 @@ class _Totals:
     def __init__(self) -> None:
         self.rows = 0
         self.counts: dict[str, Counts] = {}
-        self.histograms: dict[str, Counted] = {}
+        self.histograms: dict[str, HistogramCounts] = {}
         self.rejected: dict[str, Counts] = {}
         self.cells: tuple[Cell, ...] = ()
         self.refused: dict[Refusal, RefusedPositions] = {kind: RefusedPositions() for kind in REFUSALS}
@@ -93,11 +101,11 @@ class _Totals:
     def add(self, shard: Shard) -> None:
         """Add the counts of one shard."""
         self.rows += shard.rows
-        self.counts = merged([self.counts, shard.counts])
+        self.counts = merge_counts([self.counts, shard.counts])
         left_out = [{each.recipe: {name: 1}} for kind, name in COUNTED.items() for each in getattr(shard, kind)]
-        self.rejected = merged([self.rejected, shard.rejected, *left_out])
+        self.rejected = merge_counts([self.rejected, shard.rejected, *left_out])
         self.histograms = all_histograms([self.histograms, shard.histograms])
-        self.cells = together([self.cells, shard.cells])
+        self.cells = merge_cells([self.cells, shard.cells])
         self.refused = {kind: refusals.with_more(getattr(shard, kind)) for kind, refusals in self.refused.items()}
 
     def manifest(self, journal: Journal) -> Manifest:
@@ -152,8 +160,8 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
             fewer items are to be had than it asks for: then those there are stand in `out`, a dataset as any other.
     """
     overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", ignore_progress)
-    with _workers(config, work) as run, locked(out := _folder(out, config)):
-        manifest = _standing(out, config)
+    with _workers(config, work) as run, lock_folder(out := _folder(out, config)):
+        manifest = _existing_manifest(out, config)
         if manifest is not None:
             advance(manifest.rows)
         else:
@@ -181,12 +189,12 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         remedy = f"count from 1/{parts} to {parts}/{parts}" if parts > 0 else "write K/N, as in 3/8"
         raise DatasetError(f"part {number + 1}/{parts}: there is none; {remedy}")
     overlap = _overlap(config, work.get("benchmarks"))
-    with _workers(config, work) as run, locked(out := _folder(out, config), shared=True):
+    with _workers(config, work) as run, lock_folder(out := _folder(out, config), shared=True):
         journal = Journal(out, config, alone=False)
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
         numbers = range(number, journal.shards, parts)
-        with locked(mine):
+        with lock_folder(mine):
             make_positions(
                 journal, numbers, run, overlap, work.get("advance", ignore_progress), work.get("watch", ignore_attempt)
             )
@@ -204,7 +212,7 @@ def ignore_attempt(attempt: Attempt) -> None:
     del attempt
 
 
-def _standing(out: Path, config: Config) -> Manifest | None:
+def _existing_manifest(out: Path, config: Config) -> Manifest | None:
     """Return the manifest of a complete, undamaged dataset with this configuration, or None; it writes nothing."""
     if (out / FOLDER).exists() or not (out / MANIFEST).is_file():
         return None
@@ -242,7 +250,7 @@ def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
     workers = work.get("workers")
     if workers is not None and not _counts(workers):
         raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")
-    crew = partial(WorkerPool, config.maker, workers, work.get("patience", PATIENCE))
+    crew = partial(WorkerPool, config.maker, workers, work.get("patience", DEFAULT_TIMEOUT))
     return opened(work.get("on", HERE), crew)
 
 
@@ -250,7 +258,7 @@ def _counts(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 1
 
 
-def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
+def write_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
     """Write the items that `keeps` accepts as a new dataset into the folder `out`, with the manifest last.
 
     Items stay in their shards, so that they are found by their ids as before; removed ones are counted under
@@ -264,14 +272,14 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
     for shard in shards(source.path):
         subset, left_out = _subset(source, out, shard, keeps)
         kept.append(subset)
-        gone = merged([gone, *({item.recipe: {filter_name: 1}} for item in left_out)])
+        gone = merge_counts([gone, *({item.recipe: {filter_name: 1}} for item in left_out)])
     put_text(out / SHARDS, "".join(f"{shard.model_dump_json()}\n" for shard in kept), out)
     manifest = source.manifest.model_copy(
         update={
             "rows": sum(shard.rows for shard in kept),
-            "counts": merged(shard.counts for shard in kept),
+            "counts": merge_counts(shard.counts for shard in kept),
             "histograms": all_histograms(shard.histograms for shard in kept),
-            "rejected": merged([source.manifest.rejected, gone]),
+            "rejected": merge_counts([source.manifest.rejected, gone]),
             "pictures": "",
         }
     )

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from shlex import quote
 
-from sim2reason.datasets.card_content import SHOWN, Example, of_example, of_histogram
+from sim2reason.datasets.card_content import SHOWN, Example, example_file, histogram_file
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
 from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
 from sim2reason.generation.request import SI
@@ -139,10 +139,10 @@ def _shown(manifest: Manifest, pictures: Collection[str]) -> Iterator[str]:
     if not pictures:
         yield from ("", "This card has no pictures: matplotlib was missing (pip install matplotlib).")
     for name, shown in SHOWN.items():
-        if of_histogram(name) in pictures:
+        if histogram_file(name) in pictures:
             yield from (
                 "",
-                f"![{shown.title}]({of_histogram(name)})",
+                f"![{shown.title}]({histogram_file(name)})",
                 "",
                 f"*{shown.title}: {manifest.rows} problems.*",
             )
@@ -180,8 +180,8 @@ def _example(number: int, example: Example, pictures: Collection[str]) -> Iterat
         f"`{item.id}`: {item.recipe}, {item.difficulty}, {item.kind}, {item.mode}",
     )
     yield from ("", *_quoted(item.prompt))
-    if of_example(number) in pictures:
-        yield from ("", f"![The scene of example {number}]({of_example(number)})")
+    if example_file(number) in pictures:
+        yield from ("", f"![The scene of example {number}]({example_file(number)})")
     yield from ("", f"Answer: {item.answer.told}{sign}")
     yield from ("", "<details><summary>Worked solution</summary>", "", *_quoted(example.solution), "", "</details>")
     yield from ("", "<details><summary>Its scene</summary>", "", "```yaml", item.scene.rstrip("\n"), "```")

@@ -8,7 +8,7 @@ from math import floor, log10
 from pathlib import Path
 from typing import NamedTuple
 
-from sim2reason.base.atomic_files import checksum, put
+from sim2reason.base.atomic_files import checksum, write_atomically
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.errors import FigureWarning, MissingExtraError, Sim2ReasonError
 from sim2reason.figures.plot import Histogram, png
@@ -17,12 +17,12 @@ from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES, NEEDS
 
 WORDS, MOST_WORDS = 10, 500  # per bin, and from which on all are in the last bin
-Counted = dict[str, dict[str, int]]
+HistogramCounts = dict[str, dict[str, int]]
 """By series, then by bin."""
 
 
 @dataclass(frozen=True)
-class Shown:
+class HistogramDefinition:
     """The definition of a histogram: its bins, and the series by which its bars are stacked."""
 
     title: str
@@ -38,31 +38,31 @@ def _decade(item: Item) -> int:
     return floor(log10(abs(item.answer.value))) if item.answer.value else 0
 
 
-SHOWN: dict[str, Shown] = {
-    "answers": Shown(
+SHOWN: dict[str, HistogramDefinition] = {
+    "answers": HistogramDefinition(
         title="Sizes of answers, by mode",
         axis="size of the answer in its unit, rounded down to a power of ten",
         bin=_decade,
         series=lambda item: item.mode,
         label=lambda decade: f"$10^{{{decade}}}$",
     ),
-    "lengths": Shown(
+    "lengths": HistogramDefinition(
         title="Lengths of prompts, by difficulty",
         axis=f"words of the prompt, rounded down to {WORDS}",
         bin=lambda item: min(len(item.prompt.split()), MOST_WORDS) // WORDS * WORDS,
         series=lambda item: item.difficulty,
         step=WORDS,
     ),
-    "kinds": Shown(
+    "kinds": HistogramDefinition(
         title="Kinds of question, by mode", axis="kind", bin=lambda item: item.kind, series=lambda item: item.mode
     ),
-    "needs": Shown(
+    "needs": HistogramDefinition(
         title="What solutions need, by difficulty",
         axis="the most advanced mathematics of the shortest solution",
         bin=lambda item: item.needs,
         series=lambda item: item.difficulty,
     ),
-    "recipes": Shown(
+    "recipes": HistogramDefinition(
         title="Recipes, by difficulty",
         axis="recipe",
         bin=lambda item: item.recipe,
@@ -72,9 +72,9 @@ SHOWN: dict[str, Shown] = {
 """By the name of the picture."""
 
 
-def count_histograms(items: Iterable[Item]) -> dict[str, Counted]:
+def count_histograms(items: Iterable[Item]) -> dict[str, HistogramCounts]:
     """Return the counts of all histograms for some items."""
-    histograms: dict[str, Counted] = {name: {} for name in SHOWN}
+    histograms: dict[str, HistogramCounts] = {name: {} for name in SHOWN}
     for item in items:
         for name, shown in SHOWN.items():
             series, bin_key = histograms[name].setdefault(shown.series(item), {}), str(shown.bin(item))
@@ -166,17 +166,17 @@ FIGURES = "figures"
 PACKAGE = "matplotlib"
 
 
-def of_histogram(name: str) -> str:
+def histogram_file(name: str) -> str:
     """Return the file name of a histogram."""
     return f"{FIGURES}/{name}.png"
 
 
-def of_example(number: int) -> str:
+def example_file(number: int) -> str:
     """Return the file name of an example's figure, numbered from 1."""
     return f"{FIGURES}/example-{number}.png"
 
 
-def drawn_by() -> str:
+def plotting_version() -> str:
     """Return the name and version of the plotting package, which affect pictures; empty if not installed."""
     try:
         return f"{PACKAGE} {version(PACKAGE)}"
@@ -185,7 +185,7 @@ def drawn_by() -> str:
 
 
 def put_pictures(
-    out: Path, scratch: Path, histograms: Mapping[str, Counted], examples: Sequence[Example]
+    out: Path, scratch: Path, histograms: Mapping[str, HistogramCounts], examples: Sequence[Example]
 ) -> tuple[str, ...]:
     """Write the pictures of a dataset and return their names; none without a plotting package."""
     try:
@@ -193,17 +193,17 @@ def put_pictures(
     except MissingExtraError:
         return ()
     for name, data in pictures.items():
-        put(out / name, lambda path, data=data: path.write_bytes(data), scratch)
+        write_atomically(out / name, lambda path, data=data: path.write_bytes(data), scratch)
     return tuple(pictures)
 
 
-def _pictures(histograms: Mapping[str, Counted], examples: Sequence[Example]) -> Iterator[tuple[str, bytes]]:
+def _pictures(histograms: Mapping[str, HistogramCounts], examples: Sequence[Example]) -> Iterator[tuple[str, bytes]]:
     for name in SHOWN:
         if histograms.get(name):
-            yield of_histogram(name), png(histogram(name, histograms[name]))
+            yield histogram_file(name), png(histogram(name, histograms[name]))
     for number, example in enumerate(examples, start=1):
         if example.picture is not None:
-            yield of_example(number), example.picture
+            yield example_file(number), example.picture
 
 
 def remove_pictures(out: Path, files: Mapping[str, str]) -> None:

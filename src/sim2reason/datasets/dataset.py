@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any, overload
 
 from sim2reason.base.optional import optional
-from sim2reason.base.records import cached_property, counted
+from sim2reason.base.records import cached_property, format_count
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
-from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.datasets.plan import ALL_NAMES, Names, several
 from sim2reason.datasets.shard_files import Findings, ItemFiles, check_folder
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
@@ -49,7 +49,7 @@ def push(path: Path, repository: str, *, private: bool, token: str | None, messa
 
 LONGEST_NAME = 80  # characters of an unknown id that are shown
 STRIDE = 7919  # a prime, so that samples do not correlate with the cycle of recipes and difficulties
-Wanted = Mapping[str, Collection[str]]
+WantedTexts = Mapping[str, Collection[str]]
 """The texts that a column may hold, by its name: ``{"recipe": ["pulley"], "asked.quantity": ["speed"]}``."""
 
 
@@ -98,7 +98,7 @@ class Dataset:
 
     def __str__(self) -> str:
         """Return the folder, the number of items, and a line with the counts by recipe, difficulty, mode and split."""
-        lines = [f"Dataset {str(self.path)!r}: {counted(len(self), 'item')}"]
+        lines = [f"Dataset {str(self.path)!r}: {format_count(len(self), 'item')}"]
         for column in ("split", "recipe", "difficulty", "mode"):
             counts = self.manifest.counts.get(column, {})
             lines.extend([f"  {column}: {', '.join(f'{name} {n}' for name, n in counts.items())}"] if counts else [])
@@ -130,7 +130,7 @@ class Dataset:
             if key not in self.splits():
                 available = ", ".join(self.splits())
                 raise DatasetError(
-                    f"{self.path}: has no split {shortened(key)}; there is {available}; for an id: .item(ID)"
+                    f"{self.path}: has no split {quote_id(key)}; there is {available}; for an id: .item(ID)"
                 )
             return ItemFiles(self.path, tuple(self._files((key,))), key)
         if isinstance(key, slice) or hasattr(key, "__index__"):
@@ -183,7 +183,7 @@ class Dataset:
             self.splits(split)
         return (item for shard in shards(self.path) for item in shard_files.items(self.path, shard, split))
 
-    def splits(self, names: Names = ALL) -> tuple[str, ...]:
+    def splits(self, names: Names = ALL_NAMES) -> tuple[str, ...]:
         """Return the names of the splits, or of some of them, in the order of the dataset.
 
         Args:
@@ -196,7 +196,7 @@ class Dataset:
             DatasetError: There is no such split.
         """
         available = tuple(self.manifest.config.split)
-        chosen = available if names == ALL else several("split", names)
+        chosen = available if names == ALL_NAMES else several("split", names)
         for name in chosen:
             if name not in available:
                 raise DatasetError(f"{self.path}: has no split {name!r}; there is {', '.join(available)}")
@@ -216,12 +216,12 @@ class Dataset:
         """
         number = self._shard_of(name) if isinstance(name, str) else None  # type: ignore[reportUnnecessaryIsInstance]
         for file in shard(self.path, number).files if number is not None else ():
-            places = self._places(file, {"id": [name]})
+            places = self._matching_positions(file, {"id": [name]})
             if places:
                 return shard_files.read(self.path, file, places)[0]
-        raise DatasetError(f"{self.path}: holds no problem {shortened(name)}; see: sim2reason show {self.path}")
+        raise DatasetError(f"{self.path}: holds no problem {quote_id(name)}; see: sim2reason show {self.path}")
 
-    def some(self, count: int, wanted: Wanted | None = None, split: Names = ALL) -> Iterator[Item]:
+    def some(self, count: int, wanted: WantedTexts | None = None, split: Names = ALL_NAMES) -> Iterator[Item]:
         """Yield items spread over the dataset, or over those that match.
 
         Args:
@@ -238,14 +238,14 @@ class Dataset:
         """
         wanted, splits = wanted or {}, self.splits(split)
         some = bool(wanted) or splits != self.splits()
-        rows = sum(len(self._places(file, wanted)) for file in self._files(splits)) if some else len(self)
+        rows = sum(len(self._matching_positions(file, wanted)) for file in self._files(splits)) if some else len(self)
         wide = rows // max(count, 1)  # one is taken from each stretch of so many
         chosen = (n * rows // count + n * STRIDE % wide for n in range(count)) if wide else iter(range(rows))
         position, behind = next(chosen, None), 0
         for file in self._files(splits):
             if position is None:
                 return
-            matches, taken = self._places(file, wanted), list[int]()
+            matches, taken = self._matching_positions(file, wanted), list[int]()
             while position is not None and position < behind + len(matches):
                 taken.append(matches[position - behind])
                 position = next(chosen, None)
@@ -278,7 +278,7 @@ class Dataset:
         last, rows_by_id = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
         for shard_record in islice(shards(self.path), last + 1):
             for file in shard_record.files if shard_record.number in numbers else ():
-                places = self._places(file, {"id": names})
+                places = self._matching_positions(file, {"id": names})
                 rows = shard_files.rows(self.path, file, ("id", *columns), places) if places else ()
                 rows_by_id.update({row["id"]: row | {"split": file.split} for row in rows})
         return rows_by_id
@@ -299,7 +299,7 @@ class Dataset:
             return None
         return position // config.shard if position < self.manifest.positions else None
 
-    def _places(self, file: ShardFile, wanted: Wanted) -> Sequence[int]:
+    def _matching_positions(self, file: ShardFile, wanted: WantedTexts) -> Sequence[int]:
         """Return the positions in a file of the items whose columns have the wanted texts."""
         if not wanted:
             return range(file.rows)
@@ -307,7 +307,7 @@ class Dataset:
         return [n for n, row in rows if all(_value(row, name) in texts for name, texts in wanted.items())]
 
 
-def shortened(name: object) -> str:
+def quote_id(name: object) -> str:
     """Return an id in quotes, shortened if very long; the repr of any other object."""
     text = str(name)
     return repr(name) if len(text) <= LONGEST_NAME else repr(f"{text[:LONGEST_NAME]}…")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.item import Item
-from sim2reason.generation.splits import numbers_in, problem, question
+from sim2reason.generation.splits import parse_numbers, problem, question
 from sim2reason.scenes.files import load
 
 Logarithms = NDArray[np.float32]
@@ -63,7 +63,7 @@ def _stated(item: Item) -> list[float | None]:
     try:
         parameters = load(item.scene).parameters
     except SceneError:
-        return [*numbers_in(item.scene)]
+        return [*parse_numbers(item.scene)]
     left_open = item.asked.unknown, item.asked.limit_of
     return [each.value for each in parameters if not each.hidden and each.path not in left_open]
 
@@ -115,7 +115,7 @@ def _neighbours(variants: Variants, starts: NDArray[np.int64], limit: float) -> 
         ]
         cells = np.concatenate(parts)
         repeated = repeated_values(cells.copy())
-        mask = holds(repeated, cells)
+        mask = contains_sorted(repeated, cells)
         rows.append(inside[mask])
         shared.append(cells[mask])
     all_rows, all_cells = np.concatenate(rows), np.concatenate(shared)
@@ -149,7 +149,7 @@ def repeated_values(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
     return np.unique(values[1:][values[1:] == values[:-1]])
 
 
-def holds(ordered: NDArray[np.uint64], wanted: NDArray[np.uint64]) -> NDArray[np.bool_]:
+def contains_sorted(ordered: NDArray[np.uint64], wanted: NDArray[np.uint64]) -> NDArray[np.bool_]:
     """Return, for each wanted value, whether a sorted array contains it."""
     if not len(ordered):
         return np.zeros(len(wanted), dtype=np.bool_)
@@ -185,7 +185,7 @@ class Duplicate(NamedTuple):
 
 Read = Callable[[int], Marks]
 """The marks of a shard by its number; they are asked for several times."""
-Others = NDArray[np.int64]
+EarlierItems = NDArray[np.int64]
 """For each position another one, or nobody."""
 
 
@@ -224,7 +224,7 @@ def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Ite
             )
 
 
-def _same(read: Read, shards: int, alike: Others) -> Others:
+def _same(read: Read, shards: int, alike: EarlierItems) -> EarlierItems:
     """Return, for each item, the position of an equal item that comes before it and is kept; −1 if none."""
     columns = range(OWN, read(0).table.shape[1]) if shards else range(0)
     repeated = [_repeated(read, shards, column) for column in columns]
@@ -233,7 +233,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
     for number in range(shards):
         table = read(number).table
         places = [np.searchsorted(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
-        shared = [holds(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
+        shared = [contains_sorted(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
         for row in np.flatnonzero(np.any(shared, axis=0)).tolist():
             at = [(n, int(places[n][row])) for n in range(len(columns)) if shared[n][row]]
             seen = next((int(first[n][index]) for n, index in at if first[n][index] != NOBODY), NOBODY)
@@ -244,7 +244,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
     return same
 
 
-def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
+def _alike(read: Read, shards: int, distance: float, same: EarlierItems) -> EarlierItems:
     """Return, for each item, the position of an earlier kept item with the same problem and close numbers, else −1."""
     problems = _repeated(read, shards, PROBLEM)
     alike = np.full(len(same), NOBODY, dtype=np.int64)
@@ -259,20 +259,20 @@ def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, 
     numbers = np.zeros(len(problems), dtype=np.int64)
     for number in range(shards):
         table = read(number).table
-        table = table[holds(problems, table[:, PROBLEM])]
+        table = table[contains_sorted(problems, table[:, PROBLEM])]
         np.add.at(numbers, np.searchsorted(problems, table[:, PROBLEM]), table[:, COUNT].astype(np.int64) + 1)
     stretch = np.cumsum(numbers) // HELD
     edges = [*np.flatnonzero(np.diff(stretch, prepend=-1)).tolist(), len(problems)]
     yield from pairwise(edges)
 
 
-def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
+def _variants(read: Read, shards: int, problems: Table, same: EarlierItems) -> Variants:
     """Return the items of some problems with the logarithms of their numbers, without exact duplicates."""
     tables: list[Table] = []
     kept_logarithms: list[Logarithms] = []
     for number in range(shards):
         table, logarithms = read(number)
-        wanted = holds(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NOBODY)
+        wanted = contains_sorted(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NOBODY)
         tables.append(table[wanted, : COUNT + 1])
         kept_logarithms.append(logarithms[np.repeat(wanted, table[:, COUNT].astype(np.int64))])
     table = np.concatenate(tables)

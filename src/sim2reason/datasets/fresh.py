@@ -8,13 +8,13 @@ from typing import Any
 
 from sim2reason.base.optional import optional
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.exports import EXPORTS, Column, Place
-from sim2reason.datasets.generate import Order, configured, files_to_avoid
-from sim2reason.datasets.plan import ALL, MAKER, TRAIN, Config, Names
+from sim2reason.datasets.exports import EXPORTS, Column, RowPosition
+from sim2reason.datasets.generate import Order, build_config, files_to_avoid
+from sim2reason.datasets.plan import ALL_NAMES, MAKER, TRAIN, Config, Names
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import SI, Request, load_maker, nonnegative_integer
-from sim2reason.generation.splits import split_of
+from sim2reason.generation.splits import choose_split
 from sim2reason.questions.accuracy import TOLERANCE
 
 __all__ = ["INDEX_STRIDE", "FreshRows", "LazyProblems", "iterable"]
@@ -76,7 +76,7 @@ class LazyProblems:
 
     def _drawn(self, request: Request) -> Item | None:
         item = load_maker(self.config.maker)(request).item
-        if item is None or split_of(item, self.config.split) != self.split:
+        if item is None or choose_split(item, self.config.split) != self.split:
             return None
         shared = self._benchmarks.overlap(item.prompt) if self._benchmarks is not None else None
         return item if shared is None else None
@@ -86,8 +86,8 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
     to: str = "hf",
     *,
     items: int | None = None,
-    recipe: Names = ALL,
-    difficulty: Names = ALL,
+    recipe: Names = ALL_NAMES,
+    difficulty: Names = ALL_NAMES,
     mode: Names = "numeric",
     seed: int = 0,
     start: int = 0,
@@ -142,7 +142,7 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
     begin, files = nonnegative_integer("start", start), files_to_avoid(order)
     end = INDEX_STRIDE if items is None else begin + nonnegative_integer("items", items)
     order["items"] = max(begin, end)
-    problems = LazyProblems(configured(**order), TRAIN, Benchmarks(files) if files else None)
+    problems = LazyProblems(build_config(**order), TRAIN, Benchmarks(files) if files else None)
     return FreshRows(problems, to, range(begin, end))
 
 
@@ -208,7 +208,7 @@ class FreshRows:
         )
 
     def _row(self, position: int) -> dict[str, Any] | None:
-        row = self._export.row(self._problems[position], Place(TRAIN, position))
+        row = self._export.row(self._problems[position], RowPosition(TRAIN, position))
         return None if row is None else dict(row)
 
 

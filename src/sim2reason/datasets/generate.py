@@ -8,14 +8,14 @@ from typing import Annotated, Any, TypedDict, TypeVar, Unpack, cast, get_args, g
 
 from pydantic import ValidationError
 
-from sim2reason.base.registry import nearest
-from sim2reason.base.settings import settings_in
+from sim2reason.base.registry import similar_names
+from sim2reason.base.settings import read_settings
 from sim2reason.datasets.build import build, ignore_progress
 from sim2reason.datasets.contamination import Benchmarks, benchmark_file_record
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import (
-    ALL,
+    ALL_NAMES,
     DISTANCE,
     LICENSE,
     MAKER,
@@ -23,10 +23,10 @@ from sim2reason.datasets.plan import (
     Config,
     Names,
     difficulties_named,
-    modes_named,
-    needs_named,
+    find_modes,
+    find_needs,
+    find_recipes,
     numbers,
-    recipes_named,
 )
 from sim2reason.errors import DatasetError, DrawError, EvaluationError
 from sim2reason.generation.request import SI, nonnegative_integer
@@ -76,8 +76,8 @@ class Order(TypedDict, total=False):
 
 DEFAULTS: Order = {
     "items": ITEMS,
-    "recipe": ALL,
-    "difficulty": ALL,
+    "recipe": ALL_NAMES,
+    "difficulty": ALL_NAMES,
     "mode": "numeric",
     "seed": 0,
     "weights": None,
@@ -146,11 +146,11 @@ def generate(
         <Dataset 'problems': 2 train>
     """
     benchmarks = Benchmarks(files_to_avoid(order))
-    build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)
+    build(out, build_config(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)
     return Dataset(out)
 
 
-def configured(**order: Unpack[Order]) -> Config:
+def build_config(**order: Unpack[Order]) -> Config:
     """Return the configuration of a dataset for the given options; DatasetError or UnknownNameError if invalid."""
     unknown = [name for name in order if name not in Order.__annotations__]
     if unknown:  # as Python says of all other functions
@@ -162,11 +162,11 @@ def configured(**order: Unpack[Order]) -> Config:
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
         "items": options["items"],
-        "recipes": recipes_named(options["recipe"], check=ours),
+        "recipes": find_recipes(options["recipe"], check=ours),
         "difficulties": difficulties_named(options["difficulty"]),
-        "modes": modes_named(options["mode"], check=ours),
+        "modes": find_modes(options["mode"], check=ours),
         "units": system_named(options["units"]).name,
-        "needs": needs_named(options["needs"]),
+        "needs": find_needs(options["needs"]),
         "decontaminate": tuple(benchmark_file_record(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
@@ -190,7 +190,7 @@ def files_to_avoid(order: Order) -> tuple[Path, ...]:
         raise DatasetError(f"decontaminate: {given!r} names no files; give a path, or several in a list") from None
 
 
-def order_in(path: Path) -> Order:
+def read_order(path: Path) -> Order:
     """Read an order from a YAML file.
 
     Raises:
@@ -198,13 +198,13 @@ def order_in(path: Path) -> Order:
         OSError: the file can't be read.
     """
     try:
-        settings = settings_in(path)
+        settings = read_settings(path)
     except EvaluationError as error:
         raise DatasetError(str(error)) from None
     options = [name for name in DEFAULTS if name != "maker"]
     for name in settings:
         if name not in options:
-            near = nearest(name, options)
+            near = similar_names(name, options)
             known = f"did you mean: {near[0]}" if near else f"there are: {', '.join(options)}"
             raise DatasetError(f"{path}: {name}: there is no such option; {known}")
     return cast("Order", settings)

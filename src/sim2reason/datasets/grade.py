@@ -9,13 +9,13 @@ from typing import IO, NamedTuple, Protocol, cast, runtime_checkable
 
 from pydantic import BaseModel, JsonValue, ValidationError
 
-from sim2reason.datasets.dataset import Dataset, shortened
-from sim2reason.datasets.plan import ALL, Names
+from sim2reason.datasets.dataset import Dataset, quote_id
+from sim2reason.datasets.plan import ALL_NAMES, Names
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, Item, grade_answer, unfolded
-from sim2reason.grading import Outcome, Score, opened
+from sim2reason.grading import Outcome, Score, prepend_opening_mark
 
-__all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "graded", "line", "responses"]
+__all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_all", "line", "responses"]
 
 MAX_DEPTH = 40  # levels of nested groups, lists and wrappers
 
@@ -41,7 +41,7 @@ class NamedRow(Protocol):
         ...
 
 
-def answer_of(given: ItemRow | NamedRow) -> Answer:
+def row_answer(given: ItemRow | NamedRow) -> Answer:
     """Return the answer in a row; DatasetError if there is no readable one."""
     row = given if isinstance(given, ItemRow) else _unnamed(given)
     if not isinstance(row, ItemRow):
@@ -49,7 +49,7 @@ def answer_of(given: ItemRow | NamedRow) -> Answer:
     if "answer" not in set(row.keys()):
         raise DatasetError(f"a row without the column 'answer'; it has: {', '.join(map(str, row.keys()))[:200]}")
     try:
-        return Answer.model_validate(unfolded(plain(row["answer"])))
+        return Answer.model_validate(unfolded(to_plain(row["answer"])))
     except ValidationError as error:
         fault = error.errors()[0]
         where, problem = ".".join(map(str, ("answer", *fault["loc"]))), fault["msg"]
@@ -64,7 +64,7 @@ def _unnamed(row: object) -> object:
     return names() if callable(names) else row
 
 
-def plain(value: object, depth: int = MAX_DEPTH) -> object:
+def to_plain(value: object, depth: int = MAX_DEPTH) -> object:
     """Return a value of numpy, pandas or pyarrow as plain Python; a mapping with only empty values becomes None.
 
     Values nested deeper than any item's column are unchanged.
@@ -74,12 +74,14 @@ def plain(value: object, depth: int = MAX_DEPTH) -> object:
     for conversion in ("as_py", "tolist", "to_list"):  # a scalar of pyarrow; an array or a number; a Series of polars
         method = getattr(value, conversion, None)
         if callable(method):
-            return plain(method(), depth - 1)
+            return to_plain(method(), depth - 1)
     if isinstance(value, Mapping):
-        members = {str(key): plain(member, depth - 1) for key, member in cast("Mapping[object, object]", value).items()}
+        members = {
+            str(key): to_plain(member, depth - 1) for key, member in cast("Mapping[object, object]", value).items()
+        }
         return members if any(member is not None for member in members.values()) else None
     if isinstance(value, list | tuple):
-        return [plain(member, depth - 1) for member in cast("Iterable[object]", value)]
+        return [to_plain(member, depth - 1) for member in cast("Iterable[object]", value)]
     return None if isinstance(value, float) and isnan(value) else value
 
 
@@ -143,16 +145,16 @@ def grade(
         >>> score.reward, score.outcome.value
         (0.0, 'wrong')
     """
-    answer = item.answer if isinstance(item, Item) else answer_of(item)
-    reply = opened(response) if thinking_opened else response
+    answer = item.answer if isinstance(item, Item) else row_answer(item)
+    reply = prepend_opening_mark(response) if thinking_opened else response
     return grade_answer(answer, reply, lenient=lenient, partial=partial)
 
 
-def graded(
+def grade_all(
     data: Dataset,
     given: Iterable[Response],
     *,
-    split: Names = ALL,
+    split: Names = ALL_NAMES,
     lenient: bool = False,
     partial: bool = False,
     thinking_opened: bool = False,
@@ -169,7 +171,7 @@ def graded(
         for response in batch:
             row = rows.get(response.id)
             if row is None:
-                raise DatasetError(f"{shortened(response.id)} is no item of {data.path}; give the dataset it is from")
+                raise DatasetError(f"{quote_id(response.id)} is no item of {data.path}; give the dataset it is from")
             if row["split"] not in splits:
                 passed_over = True
                 continue
@@ -214,7 +216,7 @@ def _each(line: Response) -> Iterator[Response]:
 
 def _response(text: bytes, location: str) -> Response:
     try:
-        return Response.model_validate(_whole(json.loads(text)))
+        return Response.model_validate(_replace_surrogates(json.loads(text)))
     except ValidationError as error:
         problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
         raise DatasetError(f"{location}: {problem.strip()}; a line is {{id, response}}") from error
@@ -222,14 +224,17 @@ def _response(text: bytes, location: str) -> Response:
         raise DatasetError(f"{location}: no JSON: {error}; a line is {{id, response}}") from error
 
 
-def _whole(read: object) -> object:
+def _replace_surrogates(read: object) -> object:
     """Return a JSON value with unpaired surrogates replaced, since no file can contain them."""
     if isinstance(read, str):
         return read.encode(errors="replace").decode() if not read.isascii() else read
     if isinstance(read, list):
-        return [_whole(part) for part in cast("list[object]", read)]
+        return [_replace_surrogates(part) for part in cast("list[object]", read)]
     if isinstance(read, dict):
-        return {_whole(key): _whole(part) for key, part in cast("dict[object, object]", read).items()}
+        return {
+            _replace_surrogates(key): _replace_surrogates(part)
+            for key, part in cast("dict[object, object]", read).items()
+        }
     return read
 
 

@@ -7,21 +7,21 @@ from pathlib import Path
 from textwrap import indent
 from typing import TypeVar
 
-from sim2reason.base.records import counted
+from sim2reason.base.records import format_count
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.manifest import Counts
-from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.datasets.plan import ALL_NAMES, Names, several
 from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.generation.certified import CertifiedQuestion, worked_solution
-from sim2reason.generation.filters import in_order
+from sim2reason.generation.filters import ordered_filters
 from sim2reason.generation.item import Item, Record
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.question_search import RefusedQuestion
 from sim2reason.generation.request import Request
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.simulation import trace_files
 
 PROBLEMS = 3
@@ -32,13 +32,13 @@ def show(  # noqa: PLR0913 - filters, by name
     *,
     items: int = PROBLEMS,
     id: str | None = None,  # noqa: A002 - the column's name
-    recipe: Names = ALL,
-    difficulty: Names = ALL,
-    mode: Names = ALL,
-    kind: Names = ALL,
-    quantity: Names = ALL,
-    needs: Names = ALL,
-    split: Names = ALL,
+    recipe: Names = ALL_NAMES,
+    difficulty: Names = ALL_NAMES,
+    mode: Names = ALL_NAMES,
+    kind: Names = ALL_NAMES,
+    quantity: Names = ALL_NAMES,
+    needs: Names = ALL_NAMES,
+    split: Names = ALL_NAMES,
 ) -> Iterator[Item]:
     """Yield some problems of a dataset, spread over all that match.
 
@@ -74,7 +74,9 @@ def show(  # noqa: PLR0913 - filters, by name
         return iter([data.item(id)])
     given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "needs": needs}
     given["asked.quantity"] = quantity
-    wanted = {column: several(column.rpartition(".")[2], names) for column, names in given.items() if names != ALL}
+    wanted = {
+        column: several(column.rpartition(".")[2], names) for column, names in given.items() if names != ALL_NAMES
+    }
     for column, names in wanted.items():
         _check(data, column.rpartition(".")[2], names)
     return _some(data, items, wanted, data.splits(split))
@@ -115,7 +117,7 @@ class Spread(Record):
 
     def __str__(self) -> str:
         """Return the three values and the number of items."""
-        return f"{self.least:.3g} to {self.greatest:.3g}, median {self.median:.3g} ({counted(self.items, 'item')})"
+        return f"{self.least:.3g} to {self.greatest:.3g}, median {self.median:.3g} ({format_count(self.items, 'item')})"
 
 
 class Stats(Record):
@@ -137,7 +139,9 @@ class Stats(Record):
 
     def __repr__(self) -> str:
         """Return the number of items and of rejected draws."""
-        return f"<Stats: {counted(self.items, 'item')}, {counted(sum(self.refused.values()), 'refused draw')}>"
+        return (
+            f"<Stats: {format_count(self.items, 'item')}, {format_count(sum(self.refused.values()), 'refused draw')}>"
+        )
 
     def __str__(self) -> str:
         """Return a line with the counts of each column, and with the spread of prompts and answers."""
@@ -278,7 +282,7 @@ def explain(
     search, record = ItemSearch(request), RefusalRecord()
     search.on_refusal = record.add if refused else None
     certified = search.find()
-    made = None if certified is None else item_of(request, certified)
+    made = None if certified is None else build_item(request, certified)
     if item is not None and made != item:
         remedy = "install the versions that it names, or make the dataset anew"
         raise DatasetError(f"{id}: this version of sim2reason makes another problem of these coordinates; {remedy}")
@@ -370,7 +374,7 @@ def _wrong_answers(item: Item) -> Iterator[str]:
 
 def _labelled(parts: Sequence[T], complete: T) -> Iterator[tuple[str, T]]:
     """Yield each part's value with its label, such as (a); without parts, the value of the whole problem."""
-    labels = [f"({label}) " for label in LABELS]
+    labels = [f"({label}) " for label in PART_LABELS]
     yield from zip(labels, parts, strict=False) if parts else [("", complete)]
 
 
@@ -382,6 +386,6 @@ def _filters(certified: CertifiedQuestion) -> Iterator[str]:
 
 def _verdicts(certified: CertifiedQuestion) -> Iterator[str]:
     candidate = replace(certified.candidate, certificate=certified.certificate)
-    for name, each in in_order():
+    for name, each in ordered_filters():
         yield f"{name}: {each.reason(candidate) or 'keeps it'}"
         yield from (f"  {line}" for line in each.findings(candidate))

@@ -4,20 +4,20 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 
 from sim2reason.datasets.plan import (
-    ALL,
+    ALL_NAMES,
     Config,
     Names,
     difficulties_named,
-    modes_named,
-    needs_named,
+    find_modes,
+    find_needs,
+    find_recipes,
     numbers,
-    recipes_named,
 )
 from sim2reason.errors import DrawError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of, make
+from sim2reason.generation.make import build_item, make
 from sim2reason.generation.request import SI, Request, check, nonnegative_integer
 from sim2reason.questions.accuracy import TOLERANCE
 from sim2reason.questions.spoken_units import system_named
@@ -78,10 +78,10 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
         1.0
     """
     how = weights, units
-    order = requested(
+    order = build_request(
         recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, needs=needs, solutions=solutions
     )
-    return made(order)[0]
+    return make_item(order)[0]
 
 
 def sample(  # noqa: PLR0913 - the same
@@ -126,14 +126,14 @@ def sample(  # noqa: PLR0913 - the same
         >>> scene == sim2reason.load(sim2reason.item("incline", "easy", seed=3).scene)
         True
     """
-    return _found(
-        requested(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance, needs=needs)
+    return _find(
+        build_request(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance, needs=needs)
     ).study.scene
 
 
 def stream(  # noqa: PLR0913 - the same
-    recipe: Names = ALL,
-    difficulty: Names = ALL,
+    recipe: Names = ALL_NAMES,
+    difficulty: Names = ALL_NAMES,
     mode: Names = "numeric",
     *,
     seed: int = 0,
@@ -180,13 +180,13 @@ def stream(  # noqa: PLR0913 - the same
     first = nonnegative_integer("start", start)
     config = Config(
         items=0,
-        recipes=recipes_named(recipe),
+        recipes=find_recipes(recipe),
         difficulties=difficulties_named(difficulty),
-        modes=modes_named(mode),
+        modes=find_modes(mode),
         seed=nonnegative_integer("seed", seed),
         weights=numbers("weights", weights or {}),
         units=system_named(units).name,
-        needs=needs_named(needs),
+        needs=find_needs(needs),
         tolerance=tolerance,
         solutions=solutions,
     )
@@ -197,7 +197,7 @@ def stream(  # noqa: PLR0913 - the same
             yield problem
 
 
-def requested(  # noqa: PLR0913 - the same
+def build_request(  # noqa: PLR0913 - the same
     recipe: str,
     difficulty: str,
     mode: str,
@@ -212,19 +212,19 @@ def requested(  # noqa: PLR0913 - the same
 ) -> Request:
     """Return the request for some coordinates; it raises the errors of `item`."""
     given = numbers("weights", weights or {})
-    check(given, modes_named((mode,)), recipes_named((recipe,)))
+    check(given, find_modes((mode,)), find_recipes((recipe,)))
     ordered = tuple(sorted(given.items()))
     how = system_named(units).name, solutions
-    return Request(recipe, difficulty, mode, seed, index, ordered, *how, tolerance=tolerance, needs=needs_named(needs))
+    return Request(recipe, difficulty, mode, seed, index, ordered, *how, tolerance=tolerance, needs=find_needs(needs))
 
 
-def made(request: Request) -> tuple[Item, CertifiedQuestion]:
+def make_item(request: Request) -> tuple[Item, CertifiedQuestion]:
     """Return the item of a request, with its certified question; DrawError if no draw passed the filters."""
-    certified = _found(request)
-    return item_of(request, certified), certified
+    certified = _find(request)
+    return build_item(request, certified), certified
 
 
-def _found(request: Request) -> CertifiedQuestion:
+def _find(request: Request) -> CertifiedQuestion:
     search = ItemSearch(request)
     certified = search.find()
     if certified is None:

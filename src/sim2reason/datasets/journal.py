@@ -16,7 +16,15 @@ from typing import TypeVar
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.base.atomic_files import FOLDER, TEMPORARY, canonical, checksum, put, put_text, remove_temporaries
+from sim2reason.base.atomic_files import (
+    FOLDER,
+    TEMPORARY,
+    canonical,
+    checksum,
+    put_text,
+    remove_temporaries,
+    write_atomically,
+)
 from sim2reason.datasets.card_content import remove_pictures
 from sim2reason.datasets.duplicates import Marks
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, ShardFile, load, shards
@@ -168,7 +176,7 @@ class Journal:
                 for part in marks:
                     np.save(file, part, allow_pickle=False)
 
-        put(self._marks(number), write, self.folder)
+        write_atomically(self._marks(number), write, self.folder)
 
     def note(self, shard: Shard, marks: Marks) -> None:
         """Store the record of a written shard, and remove the files of its previous record."""

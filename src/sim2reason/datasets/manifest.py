@@ -11,7 +11,7 @@ from typing import Literal, get_args
 from pydantic import Field, ValidationError
 
 from sim2reason.base.atomic_files import canonical
-from sim2reason.datasets.card_content import Counted
+from sim2reason.datasets.card_content import HistogramCounts
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Record
@@ -47,7 +47,7 @@ def table(requests: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cel
     return _summed([*((key, number, 0) for key, number in requests), *((key, 0, 1) for key in kept)])
 
 
-def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
+def merge_cells(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
     """Return the cells of several tables in one table, with the counts of equal cells added."""
     cells = (cell for table in tables for cell in table)
     return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
@@ -64,7 +64,7 @@ def _summed(entries: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
     )
 
 
-def enough(cells: int) -> int:
+def failure_limit(cells: int) -> int:
     """Return how many failed requests of a cell are too many for an accident, given the number of cells.
 
     If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
@@ -77,7 +77,7 @@ def empty(cells: Iterable[Cell]) -> Iterator[str]:
     """Yield a line for each mode, kind and recipe without an item, after too many requests for an accident."""
     all_cells = tuple(cells)
     for cell in all_cells:
-        if cell.kept == 0 and cell.asked >= enough(len(all_cells)):
+        if cell.kept == 0 and cell.asked >= failure_limit(len(all_cells)):
             name = f"{cell.recipe}.{cell.mode}.{cell.kind}"
             yield (
                 f"{name}: asked for {cell.asked} times, and none was kept; see which filters refuse them, "
@@ -145,7 +145,7 @@ class Shard(Record):
     files: tuple[ShardFile, ...]
     counts: dict[str, Counts]
     """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
-    histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
+    histograms: dict[str, HistogramCounts] = Field(default_factory=dict[str, HistogramCounts])
     """What the card shows as pictures: by the picture's name, series and bin."""
     rejected: dict[str, Counts]
     """By recipe, then by filter: the draws that were refused while these items were made."""
@@ -192,7 +192,7 @@ class Manifest(Record):
     """How many positions were tried, in order; those that hold no item are made up for by later ones."""
     counts: dict[str, Counts]
     """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
-    histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
+    histograms: dict[str, HistogramCounts] = Field(default_factory=dict[str, HistogramCounts])
     """What the card shows as pictures: by the picture's name, series and bin."""
     cells: tuple[Cell, ...]
     """By mode, kind and recipe: what was asked for, and what was kept."""
@@ -277,12 +277,12 @@ def _shard(path: Path, count: int, line: bytes) -> Shard:
         raise DatasetError(f"{path / SHARDS}: {why}") from None
 
 
-def refused(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
+def read_refusals(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
     """Yield all positions of a finished dataset without items for one cause, in order."""
     return (position for shard in shards(path) for position in getattr(shard, kind))
 
 
-def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
+def merge_counts(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
     """Return the sum of nested counts, in alphabetical order."""
     total: dict[str, Counter[str]] = {}
     for part in parts:
@@ -291,11 +291,11 @@ def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
     return {key: dict(sorted(total[key].items())) for key in sorted(total)}
 
 
-def all_histograms(parts: Iterable[Mapping[str, Counted]]) -> dict[str, Counted]:
+def all_histograms(parts: Iterable[Mapping[str, HistogramCounts]]) -> dict[str, HistogramCounts]:
     """Return the sum of histograms."""
     histograms = tuple(parts)
     return {
-        name: merged(part.get(name, {}) for part in histograms)
+        name: merge_counts(part.get(name, {}) for part in histograms)
         for name in sorted({n for part in histograms for n in part})
     }
 

@@ -13,11 +13,11 @@ from annotated_types import Ge, Le, MinLen
 from pydantic import AfterValidator, BaseModel, Field, field_validator
 
 from sim2reason.base.records import cached_property
-from sim2reason.base.settings import validated
+from sim2reason.base.settings import validate_with
 from sim2reason.datasets.contamination import BenchmarkFile
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.generation.item import Record
-from sim2reason.generation.recipes import RECIPES, all_recipes, difficulty_named
+from sim2reason.generation.recipes import RECIPES, all_recipes, find_difficulty
 from sim2reason.generation.request import LARGEST, SI, Request, Weights
 from sim2reason.questions import MODES
 from sim2reason.questions.accuracy import TOLERANCE, out_of_range
@@ -42,7 +42,7 @@ If no number of one differs by more from that of the other, its answer included,
 """
 LICENSE = "apache-2.0"
 """Of the data, by the name that the Hugging Face hub has for it: that of the library."""
-ALL = "all"
+ALL_NAMES = "all"
 Names = str | Sequence[str]
 """One name, several, or ``all``."""
 SHARES = "--split train=0.9,test=0.1"
@@ -56,7 +56,7 @@ def several(what: str, names: object) -> tuple[str, ...]:
     many = isinstance(names, Iterable) and not isinstance(names, str)
     for name in (chosen := tuple(cast("Iterable[object]", names if many else (names,)))):
         if not isinstance(name, str):
-            raise DatasetError(f"{what}: {name!r} is no name; give one, several, or {ALL!r}")
+            raise DatasetError(f"{what}: {name!r} is no name; give one, several, or {ALL_NAMES!r}")
     return cast("tuple[str, ...]", chosen)
 
 
@@ -107,13 +107,15 @@ class Config(Record):
 
     @field_validator("split")
     @classmethod
-    def _whole(cls, value: dict[str, float]) -> dict[str, float]:
+    def _check_split(cls, value: dict[str, float]) -> dict[str, float]:
         """Validate the shares of splits and sort them by name."""
         for name, share in value.items():
             if not _SPLIT.fullmatch(name):
                 raise ValueError(f"{name!r} is no name of a split; write small letters and digits, as in {SHARES}")
-            if name == ALL:
-                raise ValueError(f"{ALL!r} stands for all splits, here and in the library datasets; give another name")
+            if name == ALL_NAMES:
+                raise ValueError(
+                    f"{ALL_NAMES!r} stands for all splits, here and in the library datasets; give another name"
+                )
             if not 0.0 < share <= 1.0:
                 raise ValueError(f"{name}={share:g} is no share; give a number above 0 and at most 1, as in {SHARES}")
         total = sum(value.values())
@@ -208,17 +210,17 @@ def file_name(number: int, total: int, split: str = TRAIN) -> str:
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
 
 
-def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+def find_recipes(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Return recipes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
-    recipes = all_recipes() if names == ALL else several("recipe", names)
+    recipes = all_recipes() if names == ALL_NAMES else several("recipe", names)
     for name in recipes if check else ():
         RECIPES[name]
     return recipes
 
 
-def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+def find_modes(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Return modes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
-    modes = tuple(MODES) if names == ALL else several("mode", names)
+    modes = tuple(MODES) if names == ALL_NAMES else several("mode", names)
     for name in modes if check else ():
         MODES[name]
     return modes
@@ -226,23 +228,23 @@ def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
     """Return difficulties by name; UnknownNameError for an unknown one."""
-    difficulties = DIFFICULTIES if names == ALL else several("difficulty", names)
-    return tuple(difficulty_named(name) for name in difficulties)
+    difficulties = DIFFICULTIES if names == ALL_NAMES else several("difficulty", names)
+    return tuple(find_difficulty(name) for name in difficulties)
 
 
-def needs_named(names: Names) -> tuple[str, ...]:
+def find_needs(names: Names) -> tuple[str, ...]:
     """Return needs by their labels, without repetitions in ascending order; UnknownNameError for others.
 
     A hyphen may replace a space. Without names the default quota applies.
     """
-    needs = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
+    needs = {_need(name) for name in (tuple(NEEDS) if names == ALL_NAMES else several("needs", names))}
     return tuple(need.label for need in sorted(needs))
 
 
 def _need(name: str) -> Need:
     need = NEEDS.get(name.replace("-", " "))
     if need is None:
-        raise UnknownNameError(f"no such need: {name!r}; there are: {', '.join(NEEDS)}, or {ALL}")
+        raise UnknownNameError(f"no such need: {name!r}; there are: {', '.join(NEEDS)}, or {ALL_NAMES}")
     return need
 
 
@@ -255,8 +257,8 @@ def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
 
     def check(value: Given) -> Given:
         if not value:
-            raise ValueError(f"names none; give one, several, or {ALL}")
-        return validated(named, value)
+            raise ValueError(f"names none; give one, several, or {ALL_NAMES}")
+        return validate_with(named, value)
 
     return AfterValidator(check)
 
@@ -264,6 +266,6 @@ def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
 class Chosen(BaseModel):
     """Settings that select problems (recipes, modes and so on), as a base class of other settings."""
 
-    recipe: Annotated[Given, _known(recipes_named)] = ALL
-    difficulty: Annotated[Given, _known(difficulties_named)] = ALL
-    modes: Annotated[Given, _known(modes_named)] = ("numeric",)
+    recipe: Annotated[Given, _known(find_recipes)] = ALL_NAMES
+    difficulty: Annotated[Given, _known(difficulties_named)] = ALL_NAMES
+    modes: Annotated[Given, _known(find_modes)] = ("numeric",)

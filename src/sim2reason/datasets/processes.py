@@ -10,7 +10,7 @@ from multiprocessing.process import BaseProcess
 from threading import Lock, Thread, get_ident
 from typing import Any
 
-__all__ = ["ALONE"]
+__all__ = ["SPAWN_CONTEXT"]
 
 
 def end_with_parent() -> None:
@@ -29,7 +29,7 @@ SIGNALS = signal.SIGINT, signal.SIGTERM
 
 
 @contextmanager
-def deaf_children() -> Generator[None, None, None]:
+def children_ignoring_signals() -> Generator[None, None, None]:
     """Make processes started in the block ignore interrupts; those of this process wait for the block's end."""
     resource_tracker.ensure_running()  # it would lift the block while it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
@@ -47,7 +47,7 @@ _starting = Lock()
 class _Process(SpawnProcess):
     @staticmethod
     def _Popen(process_obj: BaseProcess) -> Any:  # noqa: ANN401, N802 - as in multiprocessing, whose types it has not
-        with _program_untold():
+        with _main_program_hidden():
             return SpawnProcess._Popen(process_obj)  # type: ignore[attr-defined]  # noqa: SLF001 - see above
 
 
@@ -55,12 +55,12 @@ class _Context(SpawnContext):
     Process = _Process
 
 
-ALONE = _Context()
+SPAWN_CONTEXT = _Context()
 """The context for processes of ours; what they run must stand in a module that can be imported."""
 
 
 @contextmanager
-def _program_untold() -> Generator[None, None, None]:
+def _main_program_hidden() -> Generator[None, None, None]:
     """Hide the caller's main program from processes that this thread starts within the block."""
     prepared, thread = spawn.get_preparation_data, get_ident()
 

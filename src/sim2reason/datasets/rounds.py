@@ -8,10 +8,10 @@ from functools import partial
 from sim2reason.datasets.contamination import Overlap
 from sim2reason.datasets.duplicates import POSITION, Duplicate, find_duplicates
 from sim2reason.datasets.journal import Journal
-from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged, table
+from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merge_counts, table
 from sim2reason.datasets.places import Reply, Run
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.shard_files import items_of, lengthened, marks_of, put_shard, shard_of
+from sim2reason.datasets.shard_files import lengthened, read_items, read_marks, read_shard, write_shard
 from sim2reason.datasets.worker import Attempt, Batch
 from sim2reason.generation.item import Item
 
@@ -102,7 +102,7 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
             yield from _missing(journal, numbers, standing)
             while queue.open:
                 yield None
-            _leave_doubles_out(journal)
+            _remove_duplicates(journal)
             tell(_rows(journal) - told)
             numbers, standing = _lengthened(journal), _told_before
 
@@ -157,7 +157,7 @@ def _lengthened(journal: Journal) -> range:
 
 
 def _rows(journal: Journal) -> int:
-    return sum(shard_of(journal, number).rows for number in range(journal.shards))
+    return sum(read_shard(journal, number).rows for number in range(journal.shards))
 
 
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
@@ -168,9 +168,9 @@ def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: 
     items = [(position, item) for position, item in placed if position not in overlaps]
     shard = _record(journal.plan.config, positions, outcomes, overlaps)
     if positions.start > journal.range(number).start:
-        before = shard_of(journal, number)
-        shard, items = lengthened(before, shard), [*items_of(journal, before), *items]
-    put_shard(journal, shard, items)
+        before = read_shard(journal, number)
+        shard, items = lengthened(before, shard), [*read_items(journal, before), *items]
+    write_shard(journal, shard, items)
 
 
 def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overlaps: dict[int, Overlap]) -> Shard:
@@ -184,7 +184,7 @@ def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overl
         positions=(positions.start, positions.stop),
         files=(),
         counts={},
-        rejected=merged({r.recipe: each.rejected} for each, r in requests),
+        rejected=merge_counts({r.recipe: each.rejected} for each, r in requests),
         cells=table(wanted, ()),
         quarantined=tuple(failed),
         contaminated=tuple(RefusedPosition.of(k, config.request(k), overlap.text) for k, overlap in overlaps.items()),
@@ -199,30 +199,30 @@ def _why(rejected: Counts) -> str:
 def _behind_last_item(journal: Journal) -> int:
     """Return the first position after the last one that holds an item."""
     for number in reversed(range(journal.shards)):
-        positions = marks_of(journal, number).table[:, POSITION]
+        positions = read_marks(journal, number).table[:, POSITION]
         if len(positions):
             return int(positions.max()) + 1
     return 0
 
 
-def _leave_doubles_out(journal: Journal) -> None:
+def _remove_duplicates(journal: Journal) -> None:
     """Rewrite shards without duplicates of items at lower positions."""
-    read = partial(marks_of, journal)
+    read = partial(read_marks, journal)
     for number, duplicates in find_duplicates(read, journal.shards, journal.positions, journal.plan.config.distance):
         _leave_out(journal, number, duplicates)
 
 
 def _leave_out(journal: Journal, number: int, duplicates: Sequence[Duplicate]) -> None:
-    config, shard, gone = journal.plan.config, shard_of(journal, number), {each.position for each in duplicates}
-    kept: list[tuple[int, Item]] = [pair for pair in items_of(journal, shard) if pair[0] not in gone]
+    config, shard, gone = journal.plan.config, read_shard(journal, number), {each.position for each in duplicates}
+    kept: list[tuple[int, Item]] = [pair for pair in read_items(journal, shard) if pair[0] not in gone]
     changed = {
-        "duplicates": _left_out(shard.duplicates, config, [each for each in duplicates if not each.alike]),
-        "variants": _left_out(shard.variants, config, [each for each in duplicates if each.alike]),
+        "duplicates": _refused_positions(shard.duplicates, config, [each for each in duplicates if not each.alike]),
+        "variants": _refused_positions(shard.variants, config, [each for each in duplicates if each.alike]),
     }
-    put_shard(journal, shard.model_copy(update=changed), kept)
+    write_shard(journal, shard.model_copy(update=changed), kept)
 
 
-def _left_out(
+def _refused_positions(
     before: Sequence[RefusedPosition], config: Config, duplicates: Sequence[Duplicate]
 ) -> tuple[RefusedPosition, ...]:
     """Return the positions of a shard without an item, after the duplicates found now are added, in order."""

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import NamedTuple
 
-from sim2reason.base.records import abridged
-from sim2reason.datasets.plan import Names, modes_named
+from sim2reason.base.records import abridge
+from sim2reason.datasets.plan import Names, find_modes
 from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.generation.certified import CertifiedQuestion, worked_solution
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch, form_problem, generator
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.generation.splits import problem
@@ -20,7 +20,7 @@ from sim2reason.questions import MODES, Question, StatedResult, Target, Words
 from sim2reason.questions.following import SimulatedAnswer, simulate_scene, simulate_until_answer, simulate_until_event
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.ordinary.understanding import suggestion, understood
+from sim2reason.questions.ordinary.understanding import suggest_rewording, understand_sentence
 from sim2reason.questions.posing import VALUE, PosedQuestion, pose_question
 from sim2reason.questions.query import targets
 from sim2reason.questions.sentences import parse_question
@@ -29,7 +29,7 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import with_number
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.files import SceneLike, given_scene, question_of, scene_of
+from sim2reason.scenes.files import SceneLike, as_scene, given_scene, read_question
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import ending
 from sim2reason.solutions import ProblemContext, Solution
@@ -90,15 +90,15 @@ def ask(
         >>> [problem.id for problem in problems]
         ['scene-numeric-0-...', 'scene-numeric-0-...']
     """
-    return [item for _, item in asked(scene_of(scene, "ask"), mode, items, seed, unfiltered=all).found.values()]
+    return [item for _, item in ask_scene(as_scene(scene, "ask"), mode, items, seed, unfiltered=all).found.values()]
 
 
-def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
+def ask_scene(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
     """Return the items and text of a scene with the counts of rejections; modes alternate.
 
     A problem that differs only in its numbers is repeated only if there are too few others.
     """
-    modes = modes_named(mode)
+    modes = find_modes(mode)
     search = QuestionSearch(simulate_until_event(simulate_scene(scene)).study, seed, unfiltered=unfiltered)
     result = AskedScene(search.description.text)
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
@@ -113,7 +113,7 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
         if certified is not None:
             certified = form_problem(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
         if certified is not None and certified.question.text not in result.found:
-            item = item_of(Request("", "", name, seed, attempt), certified)
+            item = build_item(Request("", "", name, seed, attempt), certified)
             answer = _answer(certified.question, item)
             if answer in answers:
                 result.refused[SAME_ANSWER] += 1
@@ -169,7 +169,7 @@ class SolvedProblem(NamedTuple):
     def __repr__(self) -> str:
         """Return the answer and the strategy of the solution, or the reason why one of them is missing."""
         answer = "none" if self.answer is None else join_unit(f"{self.answer:.6g}", self.unit)
-        how = f"by {self.solution.strategy}" if self.solution.answer is not None else abridged(self.reason, 100)
+        how = f"by {self.solution.strategy}" if self.solution.answer is not None else abridge(self.reason, 100)
         return f"<SolvedProblem: answer {answer}, {how}>"
 
     def __str__(self) -> str:
@@ -243,7 +243,7 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     asked = {**given_parts, "compare": compare} if given_parts else question
     if scene is not None and not isinstance(scene, Item):
         loaded, text = given_scene(scene, "solve")
-        asked = question_of(text) if asked is None and text else asked
+        asked = read_question(text) if asked is None and text else asked
         return _of_structured(loaded, asked, seed) if isinstance(asked, Mapping) else _of_scene(loaded, asked, seed)
     if asked is not None:
         raise SceneError("question", "the problem of an item or id has its own", "give a scene instead")
@@ -256,7 +256,7 @@ def _of_request(request: Request) -> SolvedProblem:
     certified = ItemSearch(request).find()
     if certified is None:
         raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
-    item, solution = item_of(request, certified), worked_solution(request, certified)
+    item, solution = build_item(request, certified), worked_solution(request, certified)
     return SolvedProblem(item.prompt, solution, item.answer.value, item.answer.unit, solution.reason)
 
 
@@ -275,11 +275,15 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
     problem = f"{search.description.text} {question}"
     if query is not None:
         return _answered(problem, search, PosedQuestion(query), simulate_until_answer(query, motion))
-    interpretation = understood(question, motion, search.words)
+    interpretation = understand_sentence(question, motion, search.words)
     if interpretation is None:
-        raise TextError("question", f"{question!r} is not understood", suggestion(question, motion, search.words))
-    read_as = interpretation.posed.sentence(search.words) or interpretation.asked.told
-    return _answered(problem, search, interpretation.posed, interpretation.followed)._replace(read_as=read_as)
+        raise TextError(
+            "question", f"{question!r} is not understood", suggest_rewording(question, motion, search.words)
+        )
+    read_as = interpretation.posed_question.sentence(search.words) or interpretation.asked.text
+    return _answered(problem, search, interpretation.posed_question, interpretation.simulated_answer)._replace(
+        read_as=read_as
+    )
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
@@ -288,8 +292,8 @@ def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> Solv
     search = QuestionSearch(motion.study, seed)
     asked = StructuredQuestion.read(parts)
     question = pose_question(asked, motion, search.words)
-    problem = f"{search.description.text} {question.sentence(search.words) or asked.told}"
-    return _answered(problem, search, question, question.followed(motion))
+    problem = f"{search.description.text} {question.sentence(search.words) or asked.text}"
+    return _answered(problem, search, question, question.simulate_answer(motion))
 
 
 def _answered(

@@ -6,9 +6,9 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
-from sim2reason.base.atomic_files import FOLDER, checksum, put
+from sim2reason.base.atomic_files import FOLDER, checksum, write_atomically
 from sim2reason.base.optional import optional
-from sim2reason.base.records import counted
+from sim2reason.base.records import format_count
 from sim2reason.datasets import store
 from sim2reason.datasets.card_content import count_histograms
 from sim2reason.datasets.duplicates import Marks, marks
@@ -22,15 +22,15 @@ from sim2reason.datasets.manifest import (
     Shard,
     ShardFile,
     load,
-    merged,
+    merge_cells,
+    merge_counts,
     shards,
     table,
-    together,
 )
 from sim2reason.datasets.plan import DATA, file_name
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item, Record
-from sim2reason.generation.splits import split_of
+from sim2reason.generation.splits import choose_split
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs"
 BySplit = Mapping[str, Sequence[Item]]
@@ -48,7 +48,7 @@ def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> 
 
 
 def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item]) -> ShardFile:
-    put(out / name, lambda path: store.write(path, items), scratch)
+    write_atomically(out / name, lambda path: store.write(path, items), scratch)
     return ShardFile(name=name, split=split, rows=len(items), sha256=checksum(out / name))
 
 
@@ -57,8 +57,8 @@ def counts(items: BySplit) -> dict[str, Counts]:
     of_items = [
         {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
     ]
-    tallies = (merged({by: {name: 1}} for by, name in each.items()) for each in of_items)
-    return merged([*tallies, {"split": {name: len(split_items) for name, split_items in items.items()}}])
+    tallies = (merge_counts({by: {name: 1}} for by, name in each.items()) for each in of_items)
+    return merge_counts([*tallies, {"split": {name: len(split_items) for name, split_items in items.items()}}])
 
 
 def flat(items: BySplit) -> list[Item]:
@@ -102,10 +102,10 @@ Placed = Sequence[tuple[int, Item]]
 """Items with their positions, in order."""
 
 
-def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
+def write_shard(journal: Journal, shard: Shard, items: Placed) -> None:
     """Write the files of a shard with these items, then its record with their counts and hashes."""
     config = journal.plan.config
-    homes = [(split_of(item, config.split), item) for _, item in items]
+    homes = [(choose_split(item, config.split), item) for _, item in items]
     by_split = {name: [item for home, item in homes if home == name] for name in config.split}
     requested = [((cell.mode, cell.kind, cell.recipe), cell.asked) for cell in shard.cells]
     changed = {
@@ -122,13 +122,13 @@ def lengthened(shard: Shard, by: Shard) -> Shard:
     refused = {kind: (*getattr(shard, kind), *getattr(by, kind)) for kind in REFUSALS}
     changed = {
         "positions": (shard.positions[0], by.positions[1]),
-        "rejected": merged([shard.rejected, by.rejected]),
-        "cells": together([shard.cells, by.cells]),
+        "rejected": merge_counts([shard.rejected, by.rejected]),
+        "cells": merge_cells([shard.cells, by.cells]),
     }
     return shard.model_copy(update=refused | changed)
 
 
-def shard_of(journal: Journal, number: int) -> Shard:
+def read_shard(journal: Journal, number: int) -> Shard:
     """Return the record of a finished shard."""
     shard = journal.shard(number)
     if shard is None:
@@ -136,18 +136,18 @@ def shard_of(journal: Journal, number: int) -> Shard:
     return shard
 
 
-def items_of(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
+def read_items(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
     """Return the items of a shard with their positions, in order."""
     config = journal.plan.config
     named = ((config.position(config.named(item.id)), item) for item in items(journal.out, shard))
     return sorted(named, key=lambda pair: pair[0])
 
 
-def marks_of(journal: Journal, number: int) -> Marks:
+def read_marks(journal: Journal, number: int) -> Marks:
     """Return the hashes and numbers of a shard's items, for the detection of duplicates, computed if not stored."""
-    known, shard = journal.marks(number), shard_of(journal, number)
+    known, shard = journal.marks(number), read_shard(journal, number)
     if known is None or len(known.table) != shard.rows:
-        known = marks(items_of(journal, shard), scenes=len(journal.plan.config.split) > 1)
+        known = marks(read_items(journal, shard), scenes=len(journal.plan.config.split) > 1)
         journal.keep(number, known)
     return known
 
@@ -185,11 +185,11 @@ class ItemFiles(Sequence[Item]):
     def __getitem__(self, place: int | slice) -> Item | list[Item]:
         """Return the item at an index, or a list of the items in a slice; IndexError if the index is out of range."""
         if isinstance(place, slice):
-            return [self._at(number) for number in range(*place.indices(len(self)))]
+            return [self._item_at(number) for number in range(*place.indices(len(self)))]
         number = place + len(self) if place < 0 else place
         if not 0 <= number < len(self):
             raise IndexError(f"there is no place {place} among {len(self)} items")
-        return self._at(number)
+        return self._item_at(number)
 
     def to_pandas(self) -> Any:  # noqa: ANN401 - pandas is no package that the library needs
         """Return a pandas DataFrame with a row for each item and the columns of the dataset's files.
@@ -201,7 +201,7 @@ class ItemFiles(Sequence[Item]):
         records = [row for file in self._files for row in rows(self.path, file, store.COLUMNS)]
         return pandas.DataFrame(records, columns=store.COLUMNS)
 
-    def _at(self, number: int) -> Item:
+    def _item_at(self, number: int) -> Item:
         index = next(n for n, end in enumerate(self._ends) if number < end)
         if self._last[0] != index:
             self._last = index, read(self.path, self._files[index])
@@ -217,8 +217,10 @@ class Findings(Record):
 
     def __str__(self) -> str:
         """Return the numbers of rows and shards, and a line for each fault."""
-        about = f"{counted(self.rows, 'row')} in {counted(self.shards, 'shard')}"
-        return "\n".join([f"{about}: {counted(len(self.faults), 'fault')}", *(f"  {fault}" for fault in self.faults)])
+        about = f"{format_count(self.rows, 'row')} in {format_count(self.shards, 'shard')}"
+        return "\n".join(
+            [f"{about}: {format_count(len(self.faults), 'fault')}", *(f"  {fault}" for fault in self.faults)]
+        )
 
 
 def check_folder(out: Path) -> Findings:

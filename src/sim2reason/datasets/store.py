@@ -112,14 +112,14 @@ def write(path: Path, items: Sequence[Item]) -> None:
 def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
     """Return the items of one file, or those at some indices, in order; OSError or ValueError if damaged."""
     with _opened(path) as file:
-        return [Item.model_validate(row) for row in _taken(file.read(use_threads=False), places).to_pylist()]
+        return [Item.model_validate(row) for row in _take_rows(file.read(use_threads=False), places).to_pylist()]
 
 
 def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None) -> Iterator[Row]:
     """Yield some columns (``recipe``, ``asked.quantity``) of one file, row by row."""
     with _opened(path) as file:
         table = file.read(columns=list(columns), use_threads=False)
-        for batch in _taken(table, places).to_batches(max_chunksize=BATCH):
+        for batch in _take_rows(table, places).to_batches(max_chunksize=BATCH):
             yield from batch.to_pylist()
 
 
@@ -129,7 +129,7 @@ def count(path: Path) -> int:
         return file.metadata.num_rows
 
 
-def _taken(table: Any, places: Sequence[int] | None) -> Any:  # noqa: ANN401 - pyarrow has no types
+def _take_rows(table: Any, places: Sequence[int] | None) -> Any:  # noqa: ANN401 - pyarrow has no types
     return table if places is None else table.take(pa.array(places, WHOLE))
 
 

@@ -55,7 +55,7 @@ def serve(pipe: "Connection[Message, Batch]", maker: str, modules: Sequence[str]
     except DatasetError as error:
         pipe.send(error)
         return
-    collect_seldom()
+    tune_garbage_collection()
     with suppress(EOFError, OSError):  # the parent is gone
         pipe.send(None)
         while True:
@@ -72,7 +72,7 @@ def _import(module: str) -> None:
         ) from error
 
 
-def collect_seldom() -> None:
+def tune_garbage_collection() -> None:
     """Exclude loaded objects from garbage collection, and collect new ones less often.
 
     Collection took a twelfth of the time of an item.

@@ -19,21 +19,21 @@ from pathlib import Path
 
 from pydantic import JsonValue, ValidationError
 
-from sim2reason.base.atomic_files import canonical, checksum, put_text, working_in
-from sim2reason.base.settings import settings_in
-from sim2reason.datasets.build import put_subset
+from sim2reason.base.atomic_files import canonical, checksum, lock_work_folder, put_text
+from sim2reason.base.settings import read_settings
+from sim2reason.datasets.build import write_subset
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.manifest import MANIFEST
 from sim2reason.errors import EvaluationError
-from sim2reason.evaluation.policies import Policy, policy_from
-from sim2reason.evaluation.policies.journal import SampleJournal, finished
+from sim2reason.evaluation.policies import Policy, build_policy
+from sim2reason.evaluation.policies.journal import SampleJournal, read_finished
 from sim2reason.evaluation.policies.samples import ask, requests_for
 from sim2reason.generation.item import Answer, Item, Record, grade_answer
 
-__all__ = ["MOST_TRIES", "SAMPLES", "PassRate", "PolicyPass", "PolicySource", "Solvable", "asked", "solvable"]
+__all__ = ["MAX_TRIES", "SAMPLES", "PassRate", "PolicyPass", "PolicySource", "Solvable", "open_answers", "solvable"]
 
 PLAN, SAMPLES = "plan.json", "samples.jsonl"
-MOST_TRIES = 4096
+MAX_TRIES = 4096
 PolicySource = Policy | Mapping[str, object] | Path | str
 """A policy, its settings, or a YAML file with them."""
 
@@ -48,7 +48,7 @@ class PolicyPass(Record):
 
 
 @contextmanager
-def asked(
+def open_answers(
     source: Dataset,
     items: Iterable[Item],
     out: Path,
@@ -71,7 +71,7 @@ def asked(
     plan = PolicyPass.model_validate(
         {"dataset": checksum(source.path / MANIFEST), "policy": loaded_policy.decisive, "seed": seed}
     )
-    with working_in(out):
+    with lock_work_folder(out):
         _claim(out, plan, loaded_policy)
         with SampleJournal(out / SAMPLES) as journal:
             prompts = ((item.id, item.prompt) for item in items)
@@ -84,7 +84,7 @@ def asked(
 def _policy(given: PolicySource) -> Policy:
     if isinstance(given, Policy):
         return given
-    return policy_from(given) if isinstance(given, Mapping) else policy_from(settings_in(Path(given)), str(given))
+    return build_policy(given) if isinstance(given, Mapping) else build_policy(read_settings(Path(given)), str(given))
 
 
 def _claim(out: Path, plan: PolicyPass, policy: Policy) -> None:
@@ -166,10 +166,10 @@ def solvable(
         DatasetError: no finished dataset, or a damaged one.
     """
     low, high = between
-    if not 0.0 <= low < high <= 1.0 or not 1 <= k <= MOST_TRIES:
+    if not 0.0 <= low < high <= 1.0 or not 1 <= k <= MAX_TRIES:
         raise EvaluationError(f"between {low:g} and {high:g}, {k} tries: give bounds as in 0.1,0.9 and a try or more")
     source, out = Dataset(dataset), Path(out)
-    with asked(source, source, out, policy, k=k, seed=seed, advance=advance) as plan:
+    with open_answers(source, source, out, policy, k=k, seed=seed, advance=advance) as plan:
         return _finished(source, out, plan, k, between)
 
 
@@ -183,7 +183,7 @@ def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tup
         f"Of {len(rates)} problems those that the policy `{plan.policy.get('name')}` solved in a share of {k} tries "
         f"strictly between {low:g} and {high:g}."
     )
-    manifest = put_subset(source, out / KEPT, lambda item: rates[item.id].kept, "solvable", why)
+    manifest = write_subset(source, out / KEPT, lambda item: rates[item.id].kept, "solvable", why)
     counts = [rate.right for rate in rates.values()]
     record = Solvable(
         plan=plan,
@@ -203,7 +203,7 @@ def _rates(source: Dataset, journal: Path, k: int, between: tuple[float, float])
     """Yield the pass rate of each problem, in the dataset's order."""
     answers: Mapping[str, Answer] = {item.id: item.answer for item in source}
     right = dict.fromkeys(answers, 0)
-    for sample in finished(journal):
+    for sample in read_finished(journal):
         if sample.sample < k and sample.id in answers:
             right[sample.id] += grade_answer(answers[sample.id], sample.completion.whole).reward == 1.0
     for name, count in right.items():

@@ -85,7 +85,7 @@ def draw(drawing: Drawing, path: Path, dpi: int = 150) -> None:
 def png(drawing: Drawing, dpi: int = 100) -> bytes:
     """Return a drawing as the bytes of a PNG; MissingExtraError if matplotlib is not installed."""
     with settings():
-        return as_png(_page(drawing), dpi)
+        return png_bytes(_page(drawing), dpi)
 
 
 def _page(drawing: Drawing) -> "Figure":
@@ -119,7 +119,7 @@ def save(figure: "Figure", path: Path, dpi: int) -> None:
     figure.savefig(path, format=ending, dpi=dpi, metadata=METADATA[ending], facecolor="white")
 
 
-def as_png(figure: "Figure", dpi: int) -> bytes:
+def png_bytes(figure: "Figure", dpi: int) -> bytes:
     """Return the PNG bytes of a figure, identical on every run."""
     buffer = BytesIO()
     figure.savefig(buffer, format="png", dpi=dpi, metadata=METADATA["png"], facecolor="white")

@@ -195,13 +195,13 @@ def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[s
     if len(directions) == 1:
         along = values @ np.array(directions[0])
         return quantity.panel, "", along * _forward(state, name, np.array(directions[0]))
-    axle = None if ways or directions else _axle(values)
+    axle = None if ways or directions else _common_axis(values)
     if axle is not None:
         return quantity.panel, "", values @ axle
     return SIZES.get(quantity.panel, f"size of the {quantity.panel}"), "", np.linalg.norm(values, axis=1)
 
 
-def _axle(values: Array) -> Array | None:
+def _common_axis(values: Array) -> Array | None:
     """Return the unit vector of the line that contains all values of a vector; None if they lie on no line."""
     sizes = np.linalg.norm(values, axis=1)
     if not np.isfinite(sizes).all() or sizes.max() <= ZERO_LEVEL:

@@ -12,16 +12,16 @@ from sim2reason.figures.canvas import check, draw, matplotlib
 from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate
 from sim2reason.figures.labels import disguise_unknowns, place_labels
 from sim2reason.figures.layout import Arranger, Layout
-from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, owner_of, spring, without_welds
+from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, owner_name, spring, without_welds
 from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
-from sim2reason.figures.plane import box, mirrored
+from sim2reason.figures.plane import box, mirror
 from sim2reason.figures.plot import plot as plotted
 from sim2reason.figures.scaled.piece import ScaledPiece
 from sim2reason.figures.shapes import SMALL, Drawing, LabelRequest, LineShape, Shape, Sketch, outline, width
 from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.ports import StringPort
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.files import SceneLike, Wording, given_scene, wording_of
+from sim2reason.scenes.files import SceneLike, Wording, given_scene, read_wording
 from sim2reason.simulation.scenes import BOTH, simulate_full_duration
 from sim2reason.text.prose.description import Description, describe
 
@@ -91,7 +91,7 @@ def _clusters(names: Iterable[str], joined: Mapping[str, Iterable[str]]) -> list
     return [frozenset(name for name, group in leader.items() if group == head) for head in heads]
 
 
-BETWEEN = 1.2  # units between unconnected parts of a scene
+COMPONENT_GAP = 1.2  # units between unconnected parts of a scene
 MOUNT = 1.9  # units, the longest bracket from a corner to a pulley
 assert faces  # its import enters what it draws
 
@@ -125,7 +125,7 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
             parts += [_finished(Arranger(plan, *part, made).best(), plan) for part in _parts(plan, component, pieces)]
         else:
             parts += [piece.sketch() for piece in pieces.values()]
-    sketch = _beside(parts)
+    sketch = _side_by_side(parts)
     labels, leaders = place_labels(sketch.labels, sketch.shapes)
     return Drawing((*sketch.shapes, *leaders), labels)
 
@@ -215,11 +215,11 @@ def _speeds(layout: Layout, plan: DrawingPlan, sketch: Sketch) -> None:
         if piece is None or not moving or not isinstance(piece, faces.FacePiece):
             continue
         direction = flat(moving[0].axis) * (1.0 if moving[0].speed > 0.0 else -1.0)
-        direction = mirrored(direction) if carrier in piece.plan.mirrored else direction
+        direction = mirror(direction) if carrier in piece.plan.mirrored else direction
         out = direction * 1j if (direction * 1j).imag > 0.0 or abs(direction.imag) > 0.999 else direction * -1j
         start = layout.at[carrier] + piece.center(block) + out * (0.5 * plan.sizes.height + 0.22) - 0.45 * direction
         sketch.shapes.append(LineShape((start, start + 0.9 * direction), "thin", arrow=True))
-        text = plan.stated(owner_of(block), "m/s", abs(moving[0].speed))
+        text = plan.stated(owner_name(block), "m/s", abs(moving[0].speed))
         wide = 0.5 * width(text, SMALL)
         spots = [
             start + along * direction + complex(out.real * (wide + 0.1), out.imag * 0.36)
@@ -228,14 +228,14 @@ def _speeds(layout: Layout, plan: DrawingPlan, sketch: Sketch) -> None:
         sketch.labels.append(LabelRequest(text, tuple(spots), block, SMALL, name=False))
 
 
-def _beside(parts: Sequence[Sketch]) -> Sketch:
+def _side_by_side(parts: Sequence[Sketch]) -> Sketch:
     """Return several sketches side by side from left to right, on one ground level."""
     combined, right = Sketch(), 0.0
     for part in parts:
         left, low, end, _ = box(point for shape in part.shapes for point in outline(shape))
         part = part.moved(complex(right - left, -low))  # noqa: PLW2901 - the same part, in its place
         combined.extend(part)
-        right += end - left + BETWEEN
+        right += end - left + COMPONENT_GAP
     return combined
 
 
@@ -313,7 +313,7 @@ def plot(
 def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:
     """Return the scene with its wording; the default is the wording in the scene's file, else None."""
     resolved, text = given_scene(scene, function)
-    return resolved, wording or (wording_of(text) if text else None)
+    return resolved, wording or (read_wording(text) if text else None)
 
 
 def _described(scene: Scene, seed: int | None, wording: Wording | None) -> Description:

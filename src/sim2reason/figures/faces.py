@@ -9,7 +9,7 @@ from math import degrees as to_degrees
 
 from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
-from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
+from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_name
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
 from sim2reason.figures.plane import (
     NOISE,
@@ -20,7 +20,7 @@ from sim2reason.figures.plane import (
     dot,
     drawn_direction,
     hull,
-    mirrored,
+    mirror,
     rectangle,
     ring,
     unit_vector,
@@ -34,7 +34,7 @@ from sim2reason.figures.shapes import (
     LineShape,
     Shape,
     Sketch,
-    hatched,
+    hatched_line,
     rough,
     width,
 )
@@ -72,7 +72,7 @@ class FacePiece(Piece):
         super().__init__(name, plan)
         body = plan.scene.bodies[name]
         self.fixed = is_plane(body)
-        self.faces = [self._spread(face) for face in self._found()]
+        self.faces = [self._spread(face) for face in self._find_faces()]
         if name in plan.mirrored:
             self.faces = [_mirrored(face) for face in self.faces]
         self.mirrors = len(self.faces) == 1 and abs(self.faces[0].uphill.imag) > FLAT
@@ -80,7 +80,7 @@ class FacePiece(Piece):
 
     # -- reading the mechanism ---------------------------------------------------------------------
 
-    def _found(self) -> Iterator[Facet]:
+    def _find_faces(self) -> Iterator[Facet]:
         """Yield the faces with their blocks, lowest block first, at the distances of the mechanism."""
         mechanism = self.plan.paths.mechanism
         groups: dict[complex, tuple[complex, list[tuple[float, str]]]] = {}
@@ -151,7 +151,7 @@ class FacePiece(Piece):
         return (face.at(face.length - 0.3) if site == face.foot else 0j) + heights[0] * face.normal
 
     def _lift(self, face: Facet, bend: Bend) -> float:
-        along = max(bend.ways, key=lambda direction: abs(dot(direction, face.uphill)))
+        along = max(bend.directions, key=lambda direction: abs(dot(direction, face.uphill)))
         return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
@@ -221,7 +221,7 @@ class FacePiece(Piece):
         combined = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
         left, low, right, _ = box(solid)
         extra = 0.0 if self.fixed else FLOOR
-        combined.shapes += hatched(complex(left - extra, low), complex(right + extra, low))
+        combined.shapes += hatched_line(complex(left - extra, low), complex(right + extra, low))
         for site in self._wheels():
             combined.shapes += self._small(site)
         for face in self.faces:
@@ -244,14 +244,14 @@ class FacePiece(Piece):
         foot = face.at(face.length - 0.3) if site == face.foot else 0j
         yield Arc(center, radius, fill="disc")
         yield LineShape((foot, center), "edge")
-        yield shapes.dot_at(center, 0.03)
-        yield wrapped(bend.rim(), bend.rim(second=True), -sum(bend.ways), center, radius)
+        yield shapes.axle_dot(center, 0.03)
+        yield wrapped(bend.rim(), bend.rim(second=True), -sum(bend.directions), center, radius)
 
     def _angle(self, face: Facet, found: Sketch) -> None:
         """Draw the angle at the foot of a face, with its value."""
         foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
         value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
-        text = self.plan.stated(owner_of(self.name), "deg", value)
+        text = self.plan.stated(owner_name(self.name), "deg", value)
         if not text:
             return
         wide, half = width(text, SMALL), radians(0.5 * value)
@@ -274,7 +274,7 @@ class FacePiece(Piece):
             return
         for face in self.faces:
             found.shapes.append(rough(face.at(face.length), 0j, face.normal))
-        owner = owner_of(self.name)
+        owner = owner_name(self.name)
         text = next((coefficient for contact in lying if (coefficient := self.plan.friction_text(owner, contact))), "")
         if text:
             solid = self.outline()
@@ -302,4 +302,4 @@ class FacePiece(Piece):
 
 
 def _mirrored(face: Facet) -> Facet:
-    return Facet(mirrored(face.uphill), mirrored(face.normal), face.blocks, face.foot, face.top, face.length)
+    return Facet(mirror(face.uphill), mirror(face.normal), face.blocks, face.foot, face.top, face.length)

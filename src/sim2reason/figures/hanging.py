@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
-from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
+from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_name
+from sim2reason.figures.pieces import DrawingPlan, Piece, draws, positions_around
 from sim2reason.figures.plane import UP, Polygon, degrees, dot, rectangle, ring, unit_vector
 from sim2reason.figures.shapes import (
     LETTER,
@@ -16,8 +16,8 @@ from sim2reason.figures.shapes import (
     LineShape,
     Shape,
     Sketch,
-    dot_at,
-    hatched,
+    axle_dot,
+    hatched_line,
     width,
 )
 from sim2reason.scenes.dsl.body import PulleyWheel
@@ -69,7 +69,7 @@ def block_labels(
     across, up = 0.5 * (broad + wide) + 0.15, 0.5 * tall + 0.35
     beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
     far = 0.5 * max(broad, tall) + 0.2
-    return [LabelRequest(name, (*beside, *around(center, far, wide)), address), *mass_labels]
+    return [LabelRequest(name, (*beside, *positions_around(center, far, wide)), address), *mass_labels]
 
 
 @draws(PulleyWheel)
@@ -92,17 +92,17 @@ class PulleyPiece(Piece):
         for strand in self.plan.paths.strands:
             for here, there in ((strand.a, strand.b), (strand.b, strand.a)):
                 on_face = not there.rim and has_faces(self.plan.scene.bodies.get(there.piece))
-                if here.piece == self.name and on_face and self._clear(there):
+                if here.piece == self.name and on_face and self._has_outer_string(there):
                     yield there.piece
 
-    def _clear(self, block: PathKnot) -> bool:
+    def _has_outer_string(self, block: PathKnot) -> bool:
         """Return whether a string passes on the outer side of the pulley, so that no bracket to a plane crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False
         direction = max(
             (-w for w in ways),
-            key=lambda w: max(dot(w, bend_direction) for bend_direction in self.bend.ways) if self.bend else 0.0,
+            key=lambda w: max(dot(w, bend_direction) for bend_direction in self.bend.directions) if self.bend else 0.0,
         )
         out = direction * 1j if (direction * 1j).imag > 0.0 else direction * -1j
         return dot(self.bend.touches(direction), out) > 0.0
@@ -124,7 +124,7 @@ class PulleyPiece(Piece):
         return max(
             ways,
             key=lambda direction: (
-                dot(direction, bend.support_direction) - 2.0 * max(0.5, *(dot(direction, w) for w in bend.ways))
+                dot(direction, bend.support_direction) - 2.0 * max(0.5, *(dot(direction, w) for w in bend.directions))
             ),
         )
 
@@ -153,11 +153,11 @@ class PulleyPiece(Piece):
         shapes: list[Shape] = [Arc(0j, radius, fill="disc" if massive else "")]
         if self.mounted:
             shapes += plate(self.support, far=self.bracket)
-        shapes += [dot_at(0j), *self._string()]
+        shapes += [axle_dot(0j), *self._string()]
         start = -self.bend.support_direction if self.bend is not None and not self.fixed else unit_vector(1 + 1j)
         text = self.plan.caption(self.address)
         size = SIZE if text == self.plan.name(self.address) else SMALL
-        places = around(0j, radius + 0.1, width(text, size), start=start)
+        places = positions_around(0j, radius + 0.1, width(text, size), start=start)
         return Sketch(shapes, [LabelRequest(text, places, self.address, size)])
 
     def _string(self) -> list[Shape]:
@@ -178,14 +178,14 @@ def wrapped(first: complex, last: complex, middle: complex, center: complex, rad
 def plate(direction: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
     """Return the shapes of a bracket from `start` along `direction` to a hatched support."""
     end, half = start + direction * far, 0.5 * wide * direction * 1j
-    return [LineShape((start, end), "edge"), *hatched(end - half, end + half)]
+    return [LineShape((start, end), "edge"), *hatched_line(end - half, end + half)]
 
 
 class EndPiece(Piece):
     """A piece at the end of a string, in line with the string."""
 
     @property
-    def way(self) -> complex:
+    def direction(self) -> complex:
         """Return the direction from the string outwards."""
         ends = self.plan.ends.get(self.name, ())
         return -ends[0] if ends else UP
@@ -201,16 +201,16 @@ class HookPiece(EndPiece):
 
     def hulls(self) -> list[Polygon]:
         """Return the hull of the hook with its plate."""
-        return [rectangle(self.way * 0.25, 1.0, 0.6, self.way * -1j)]
+        return [rectangle(self.direction * 0.25, 1.0, 0.6, self.direction * -1j)]
 
     @property
     def level(self) -> tuple[str, float] | None:
         """Return the height of hooks in the ceiling, which they share with the pulleys there."""
-        return ("ceiling", 0.35 - BRACKET) if self.way.imag > 0.99 else None
+        return ("ceiling", 0.35 - BRACKET) if self.direction.imag > 0.99 else None
 
     def sketch(self) -> Sketch:
         """Return the sketch of a ring with a hatched support."""
-        return Sketch([*plate(self.way, self.way * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
+        return Sketch([*plate(self.direction, self.direction * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
 
 
 class HandPiece(EndPiece):
@@ -218,20 +218,20 @@ class HandPiece(EndPiece):
 
     def hulls(self) -> list[Polygon]:
         """Return the hulls of the arrow and its label."""
-        return [rectangle(self.way * 0.5 * ARROW, ARROW, 0.5, self.way)]
+        return [rectangle(self.direction * 0.5 * ARROW, ARROW, 0.5, self.direction)]
 
     def sketch(self) -> Sketch:
         """Return the sketch of a grip, an arrow, and the force or speed as in the text."""
         text = pull_text(self.plan, self.name)
-        grip = Area(rectangle(0j, 0.14, 0.4, self.way), "ink")
+        grip = Area(rectangle(0j, 0.14, 0.4, self.direction), "ink")
         wide = width(text, SMALL)
         places = tuple(
-            self.way * along + complex(across.real * (0.5 * wide + 0.16), across.imag * 0.38)
+            self.direction * along + complex(across.real * (0.5 * wide + 0.16), across.imag * 0.38)
             for along in (0.75, 1.1, 0.4)
-            for across in (self.way * 1j, self.way * -1j)
-        ) + around(self.way * ARROW, 0.15, wide, start=self.way)
+            for across in (self.direction * 1j, self.direction * -1j)
+        ) + positions_around(self.direction * ARROW, 0.15, wide, start=self.direction)
         label = LabelRequest(text, places, self.name, SMALL, name=False)
-        return Sketch([LineShape((0j, self.way * ARROW), "string", arrow=True), grip], [label])
+        return Sketch([LineShape((0j, self.direction * ARROW), "string", arrow=True), grip], [label])
 
 
 def pull_text(plan: DrawingPlan, hand: str) -> str:
@@ -240,5 +240,5 @@ def pull_text(plan: DrawingPlan, hand: str) -> str:
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1
     letter, unit_vector, value = ("F", "N", law.force) if isinstance(law, ConstantTension) else ("v", "m/s", law.reel)
-    text = plan.stated(owner_of(hand), unit_vector, value)
-    return plan.equated(letter, text) if alone else text
+    text = plan.stated(owner_name(hand), unit_vector, value)
+    return plan.labelled_number(letter, text) if alone else text

@@ -9,9 +9,19 @@ from math import copysign
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError
-from sim2reason.figures.plane import Box, Polygon, common, crosses, depth, hull, inside, length_inside, unit_vector
+from sim2reason.figures.plane import (
+    Box,
+    Polygon,
+    crosses,
+    depth,
+    hull,
+    inside,
+    length_inside,
+    overlap_area,
+    unit_vector,
+)
 from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LabelRequest, LineShape, Shape, outline
-from sim2reason.questions.unknown import limits_of
+from sim2reason.questions.unknown import find_limits
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
@@ -73,7 +83,7 @@ def _other(scene: Scene, drawing: Drawing, path: str, draw: Draw) -> tuple[Scene
 def _others(scene: Scene, path: str) -> Iterator[Scene]:
     """Yield valid scenes with other values of a number and the same connections."""
     parameter = next(p for p in scene.parameters if p.path == path)
-    value, (lower, most) = parameter.value or 0.0, limits_of(scene, path)
+    value, (lower, most) = parameter.value or 0.0, find_limits(scene, path)
     rounded = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
     for drawn in (float(f"{factor * rounded:.3g}") for factor in FACTORS):
         if not lower <= drawn <= most or abs(drawn - value) < MIN_DISGUISE * abs(value):
@@ -175,9 +185,9 @@ def place_labels(
     options = {n: list(_options(wanted[n])) for n in order}
     alone = {
         n: [
-            _alone(option, _seen(option.label, strokes, grounds), blocks)
-            + _mistaken(option.label, wanted[n], wheels)
-            + _led(option, strokes)
+            _own_cost(option, _visible_strokes(option.label, strokes, grounds), blocks)
+            + _ambiguity_cost(option.label, wanted[n], wheels)
+            + _leader_cost(option, strokes)
             for option in options[n]
         ]
         for n in order
@@ -186,16 +196,17 @@ def place_labels(
     for _ in range(SWEEPS):
         for n in order:
             others = [option for m, option in chosen.items() if m != n]
-            costs = [alone[n][i] + _crowded(option, others) for i, option in enumerate(options[n])]
+            costs = [alone[n][i] + _overlap_cost(option, others) for i, option in enumerate(options[n])]
             chosen[n] = options[n][costs.index(min(costs))]
     final = [chosen[n] for n in range(len(wanted))]
     labels = (
-        replace(each.label, crossed=_under(each.label.box, _seen(each.label, strokes, grounds)) > 0.0) for each in final
+        replace(each.label, crossed=_under(each.label.box, _visible_strokes(each.label, strokes, grounds)) > 0.0)
+        for each in final
     )
     return tuple(labels), tuple(LineShape(each.leader, "hair") for each in final if each.leader is not None)
 
 
-def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
+def _visible_strokes(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
     """Return the outline segments at a label's position that no filled shape in front of them hides."""
     above = max((n for n, polygon in grounds if inside(label.at, polygon)), default=-1)
     return [stroke for stroke in strokes if stroke.order >= above]
@@ -216,11 +227,11 @@ def _options(wanted: LabelRequest) -> Iterator[Option]:
         yield Option(label, later, wanted.places[0] if wanted.places else anchor, (near, anchor))
 
 
-def _crowded(option: Option, others: Sequence[Option]) -> float:
+def _overlap_cost(option: Option, others: Sequence[Option]) -> float:
     """Return the cost of a label's overlaps with other labels, also of crossings with their leader lines."""
     mine, cost = _wider(option.label.box), 0.0
     for label, _, _, leader in others:
-        shared = common(mine, label.box)
+        shared = overlap_area(mine, label.box)
         cost += ON_LABEL * shared + 5.0 if shared > 0.0 else 0.0
         cost += LED_OVER if leader and length_inside(*leader, mine) > 0.0 else 0.0
         cost += LED_OVER if option.leader and length_inside(*option.leader, _wider(label.box)) > 0.0 else 0.0
@@ -228,7 +239,7 @@ def _crowded(option: Option, others: Sequence[Option]) -> float:
     return cost
 
 
-def _led(option: Option, strokes: Sequence[Stroke]) -> float:
+def _leader_cost(option: Option, strokes: Sequence[Stroke]) -> float:
     """Return the cost of the outlines that a leader line crosses, except the outline of its own body."""
     if option.leader is None:
         return 0.0
@@ -236,7 +247,7 @@ def _led(option: Option, strokes: Sequence[Stroke]) -> float:
     return LED_OVER * max(0, crossed - 1)
 
 
-def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
+def _own_cost(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
     """Return the cost of a label's position on its own: its rank, outlines under it, and blocks it does not name."""
     mine = _wider(option.label.box)
     left, low, right, high = mine
@@ -257,7 +268,7 @@ def _under(area: Box, strokes: Sequence[Stroke]) -> float:
     return sum(stroke.weight * length_inside(stroke.a, stroke.b, area) for stroke in strokes)
 
 
-def _mistaken(label: Label, wanted: LabelRequest, wheels: Sequence[Arc]) -> float:
+def _ambiguity_cost(label: Label, wanted: LabelRequest, wheels: Sequence[Arc]) -> float:
     """Return the cost of a label's position beside a pulley that it does not name."""
     if len(wanted.places) < 2 or not wanted.name or not wheels:
         return 0.0

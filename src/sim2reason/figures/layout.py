@@ -11,7 +11,7 @@ from random import Random
 
 from sim2reason.figures.paths import Strand, has_faces
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece
-from sim2reason.figures.plane import RIGHT, UP, Box, Polygon, box, crosses, depth, mirrored
+from sim2reason.figures.plane import RIGHT, UP, Box, Polygon, box, crosses, depth, mirror
 
 PIECE_GAP, ASIDE = 0.25, 0.12  # units between pieces, and between a piece and a string, at least
 OVERLAP, PIERCED, CROSSED = 40.0, 15.0, 12.0
@@ -125,7 +125,7 @@ def _close(one: Box, other: Box, gap: float) -> bool:
 
 LINK = (0.55, 0.8, 1.2, 2.0)  # lengths tried between neighbouring blocks
 FACE_END_LENGTHS = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # lengths tried from the end of a face to the next piece
-FREE = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # lengths tried elsewhere
+FREE_LENGTHS = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # lengths tried elsewhere
 WIDER = (1.0, 1.6, 2.4)  # factors on the radius of pulleys with parallel strands
 ROUNDS, PATIENCE, GOOD = 14, 4, 60.0  # restarts of the search, how many may bring nothing, and when that is enough
 FLIPPED, LONGER, WIDENED, LEAST = 0.6, 0.12, 1.5, 1e-9  # what it costs to turn, lengthen, enlarge; the least gain
@@ -164,13 +164,13 @@ class Arranger:
         leader = {name: name for name in self.names}
         for strand in self.outer:
             ends = strand.a.piece, strand.b.piece
-            if strand.way is not None and abs(strand.way.real) > 1e-9 and all(map(self._directed, ends)):
+            if strand.direction is not None and abs(strand.direction.real) > 1e-9 and all(map(self._directed, ends)):
                 old, new = (leader[name] for name in ends)
                 leader = {name: new if root == old else root for name, root in leader.items()}
         groups: dict[str, set[str]] = {}
         for name, root in leader.items():
             groups.setdefault(root, set()).add(name)
-        plan = self._bent(self.plan, [strand.way or RIGHT for strand in self.strands])
+        plan = self._bent(self.plan, [strand.direction or RIGHT for strand in self.strands])
         bare = {name: self.make(name, plan) for name in self.names}
         shaped = [group for group in groups.values() if any(type(bare[n]).__name__ == "FacePiece" for n in group)]
         return [frozenset(g) for g in shaped if all(bare[n].mirrors or not self._directed(n) for n in g)]
@@ -181,7 +181,7 @@ class Arranger:
     def _swaps(self) -> list[str]:
         """Return the names of pulleys and undirected string segments whose left and right can be exchanged."""
         rims = dict.fromkeys(k.item for s in self.outer for k in (s.a, s.b) if k.rim and not self._directed(k.piece))
-        free = [_key(strand) for strand in self.outer if strand.way is None]
+        free = [_key(strand) for strand in self.outer if strand.direction is None]
         return [*rims, *free]
 
     def _wheels(self) -> list[str]:
@@ -192,21 +192,21 @@ class Arranger:
 
     # -- one try -----------------------------------------------------------------------------------
 
-    def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
+    def directions(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
         """Return the direction of each straight string segment, chosen here where the scene fixes none."""
         known = [self._turned(strand, turned) for strand in self.strands]
         return [
-            direction if direction is not None else self._free(number, known, swapped)
+            direction if direction is not None else self._free_direction(number, known, swapped)
             for number, direction in enumerate(known)
         ]
 
     @staticmethod
     def _turned(strand: Strand, turned: frozenset[str]) -> complex | None:
-        if strand.way is None:
+        if strand.direction is None:
             return None
-        return mirrored(strand.way) if strand.a.piece in turned or strand.b.piece in turned else strand.way
+        return mirror(strand.direction) if strand.a.piece in turned or strand.b.piece in turned else strand.direction
 
-    def _free(self, number: int, known: Sequence[complex | None], swapped: frozenset[str]) -> complex:
+    def _free_direction(self, number: int, known: Sequence[complex | None], swapped: frozenset[str]) -> complex:
         """Choose the direction of a string segment between pulleys, hands, hooks: level, else down, else sideways."""
         strand = self.strands[number]
         side = -1.0 if _key(strand) in swapped else 1.0
@@ -253,7 +253,7 @@ class Arranger:
         if (flips, wider) not in self._poses:
             turned = frozenset[str]().union(*(group for group, flip in zip(self.groups, flips, strict=False) if flip))
             swapped = frozenset(name for name, flip in zip(self.swaps, flips[len(self.groups) :], strict=True) if flip)
-            ways = self.ways(turned, swapped)
+            ways = self.directions(turned, swapped)
             sizes = {name: WIDER[number] for name, number in zip(self.wheels, wider, strict=True)}
             plan = replace(self._bent(self.plan, ways, turned, swapped), wider=sizes)
             self._poses[flips, wider] = Pose({name: self.make(name, plan) for name in self.names}, self.strands, ways)
@@ -266,7 +266,7 @@ class Arranger:
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
             return LINK
         sloped = any(has_faces(body) and not knot.rim for knot, body in zip((strand.a, strand.b), ends, strict=True))
-        return FACE_END_LENGTHS if sloped else FREE
+        return FACE_END_LENGTHS if sloped else FREE_LENGTHS
 
     def place(self, choice: Choice) -> Layout:
         """Place all pieces by following the string segments, with a candidate's lengths, from piece to piece."""

@@ -96,7 +96,7 @@ class Strand:
     number: int  # of the strand in its string
     a: PathKnot
     b: PathKnot
-    way: complex | None
+    direction: complex | None
 
     @property
     def inner(self) -> bool:
@@ -104,7 +104,7 @@ class Strand:
         return self.a.piece == self.b.piece
 
 
-def owner_of(address: str) -> str:
+def owner_name(address: str) -> str:
     """Return the entity or connection that an address belongs to."""
     return address.split(".", maxsplit=1)[0]
 
@@ -114,7 +114,7 @@ def without_welds(scene: Scene) -> Scene:
     return scene.model_copy(update={"glued": ()}) if scene.glued else scene
 
 
-def near(address: str, others: list[str]) -> str:
+def longest_common_prefix(address: str, others: list[str]) -> str:
     """Return the address that shares the longest prefix with `address`."""
 
     def common(other: str) -> int:
@@ -135,7 +135,7 @@ def carriers(scene: Scene) -> dict[str, str]:
         if body.parent is not None and has_faces(scene.bodies.get(body.parent)):
             carrier_by_block[body.name] = body.parent
         elif planes:
-            carrier_by_block[body.name] = near(body.name, planes)
+            carrier_by_block[body.name] = longest_common_prefix(body.name, planes)
     return carrier_by_block
 
 
@@ -149,7 +149,7 @@ class Paths:
         """
         self.home = home
         self.scene, self.mechanism = scene, scene.mechanism
-        self.carriers = {a: b for a, b in carriers(scene).items() if owner_of(a) in owners}
+        self.carriers = {a: b for a, b in carriers(scene).items() if owner_name(a) in owners}
         self.knots = {name: list(self._knots(sites)) for name, sites in _sites(self.mechanism, owners).items()}
 
     @cached_property
@@ -181,8 +181,8 @@ class Paths:
     def piece(self, site: str) -> str:
         """Return the name of the drawn piece to which an attachment point belongs."""
         owner = site.rpartition(".")[0]
-        if owner_of(site) in self.home:
-            return self.home[owner_of(site)]
+        if owner_name(site) in self.home:
+            return self.home[owner_name(site)]
         if is_pulley(self.scene.bodies.get(owner), fixed=True):
             return owner
         body = self.mechanism.site[site].body
@@ -202,6 +202,6 @@ def _sites(mechanism: Mechanism, owners: frozenset[str]) -> dict[str, list[str]]
     """Return the sites of each string from end to end; segments on both sides of massive pulleys are joined."""
     sites_by_string: dict[str, list[str]] = {}
     for line in mechanism.lines:
-        if owner_of(line.whole) in owners:
+        if owner_name(line.whole) in owners:
             sites_by_string.setdefault(line.whole, []).extend(line.through)
     return sites_by_string

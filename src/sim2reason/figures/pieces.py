@@ -37,13 +37,13 @@ class Sizes:
 class Bend:
     """The bend of a string at a pulley: the directions in which its two segments leave the pulley, in order."""
 
-    ways: tuple[complex, complex]
+    directions: tuple[complex, complex]
     side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
 
     def touches(self, way: complex) -> complex:
         """Return the unit vector from the centre to where the segment that leaves along `way` touches the rim."""
-        first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
-        other = self.ways[1] if first else self.ways[0]
+        first = abs(way - self.directions[0]) <= abs(way - self.directions[1])
+        other = self.directions[1] if first else self.directions[0]
         if abs(cross(way, other)) > 1e-6:
             return -unit_vector(other - dot(way, other) * way)
         across = way * 1j if (way * 1j).real > 0.0 or (way * 1j).imag > 1.0 - 1e-9 else way * -1j
@@ -51,16 +51,16 @@ class Bend:
 
     def rim(self, *, second: bool = False) -> complex:
         """Return the unit vector from the centre to the point where the first or second segment touches the rim."""
-        first = self.touches(self.ways[0])
+        first = self.touches(self.directions[0])
         if not second:
             return first
-        parallel = abs(cross(*self.ways)) <= 1e-6 and dot(*self.ways) > 0.0
-        return -first if parallel else self.touches(self.ways[1])
+        parallel = abs(cross(*self.directions)) <= 1e-6 and dot(*self.directions) > 0.0
+        return -first if parallel else self.touches(self.directions[1])
 
     @property
     def support_direction(self) -> complex:
         """Return the direction in which the axle is supported."""
-        push = -(self.ways[0] + self.ways[1])
+        push = -(self.directions[0] + self.directions[1])
         return unit_vector(push) if abs(push) > 1e-6 else self.rim() * -1.0
 
 
@@ -111,7 +111,7 @@ class DrawingPlan:
             "",
         )
 
-    def equated(self, letter: str, said: str) -> str:
+    def labelled_number(self, letter: str, said: str) -> str:
         """Return a number with its letter, *F = 3 N*; a symbol alone remains unchanged."""
         return said if said.startswith("$") else f"{letter} = {said}"
 
@@ -119,10 +119,10 @@ class DrawingPlan:
         """Return a face's stated friction coefficient with its letter, or both coefficients if they differ."""
         kinetic = self.stated(owner, "", face.friction) if face.friction else ""
         if not kinetic or face.static_ratio == 1.0:
-            return self.equated(letter, kinetic) if kinetic else ""
+            return self.labelled_number(letter, kinetic) if kinetic else ""
         static = self.stated(owner, "", face.static_friction)
         both = zip((r"$\mu_s$", r"$\mu_k$"), (static, kinetic), strict=True)
-        return ", ".join(self.equated(symbol, text) for symbol, text in both if text)
+        return ", ".join(self.labelled_number(symbol, text) for symbol, text in both if text)
 
     def leaves_open(self, owner: str, unit_vector: str) -> bool:
         """Return whether the text leaves a number unknown, so that the drawing must not show it to scale."""
@@ -177,7 +177,7 @@ class Piece(ABC):
         return None
 
 
-def around(center: complex, near: float, text_width: float, *, start: complex = RIGHT) -> tuple[complex, ...]:
+def positions_around(center: complex, near: float, text_width: float, *, start: complex = RIGHT) -> tuple[complex, ...]:
     """Return candidate positions of a label around a circle, the first one in the direction `start`."""
     turns = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8)
     ways = [start * complex(0.92388, 0.38268) ** turn for turn in turns]

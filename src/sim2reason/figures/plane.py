@@ -37,7 +37,7 @@ def drawn_direction(uphill: complex) -> complex:
     return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
 
 
-def mirrored(a: complex) -> complex:
+def mirror(a: complex) -> complex:
     """Return `a` mirrored at a vertical line."""
     return complex(-a.real, a.imag)
 
@@ -108,7 +108,7 @@ def inside(point: complex, polygon: Polygon) -> bool:
     return is_inside
 
 
-def from_segment(point: complex, a: complex, b: complex) -> float:
+def segment_distance(point: complex, a: complex, b: complex) -> float:
     """Return the distance of a point from the segment from `a` to `b`."""
     direction = unit_vector(b - a)
     return abs(point - a - min(max(dot(point - a, direction), 0.0), abs(b - a)) * direction)
@@ -119,7 +119,7 @@ def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
     return (cross(b - a, c - a) * cross(b - a, d - a) < 0.0) and (cross(d - c, a - c) * cross(d - c, b - c) < 0.0)
 
 
-def common(one: Box, other: Box) -> float:
+def overlap_area(one: Box, other: Box) -> float:
     """Return the area that two boxes share."""
     width = min(one[2], other[2]) - max(one[0], other[0])
     height = min(one[3], other[3]) - max(one[1], other[1])
@@ -142,7 +142,7 @@ def length_inside(a: complex, b: complex, area: Box) -> float:
     return max(0.0, leave - enter) * abs(displacement)
 
 
-SMALL = 1e-9
+ZERO_TOL = 1e-9
 SPAN, FROM_ABOVE = 5.0, 6.5  # units of the larger side of a drawing, seen from the front and from above
 MAX_SPAN = 13.0  # units that this may grow to, so that neighbours do not overlap
 NEIGHBOUR_GAP, COILED = 1.7, 2.4  # units between neighbours, and between bodies joined by springs
@@ -157,21 +157,21 @@ class View:
     up: Vector
     scale: float
 
-    def way(self, vector: Vector) -> complex:
+    def project_direction(self, vector: Vector) -> complex:
         """Return the projection of a direction to the page; shorter than 1 if it points out of the page."""
         return complex(inner(self.right, vector), inner(self.up, vector))
 
     def at(self, place: Vector) -> complex:
         """Return the projection of a position to the page."""
-        return self.scale * self.way(place)
+        return self.scale * self.project_direction(place)
 
     @property
     def level(self) -> bool:
         """Return whether the scene is seen from above."""
-        return abs(self.up[2]) < 1.0 - SMALL and abs(self.up[1]) > SMALL
+        return abs(self.up[2]) < 1.0 - ZERO_TOL and abs(self.up[1]) > ZERO_TOL
 
     @property
-    def towards(self) -> Vector:
+    def page_normal(self) -> Vector:
         """Return the unit vector out of the page."""
         return outer(self.right, self.up)
 
@@ -186,15 +186,15 @@ def sides(mechanism: Mechanism, members: Sequence[RigidBody]) -> tuple[Vector, V
     coordinates = [c for body in members for c in body.coordinates]
     slides = [c.axis for c in coordinates if c.kind == "slide"]
     axles = [c.axis for c in coordinates if c.kind == "hinge"]
-    away = next((axis for axis in slides if abs(axis[1]) > SMALL), None)
-    if away is None and any(abs(axis[2]) > 1.0 - SMALL for axis in axles):
+    away = next((axis for axis in slides if abs(axis[1]) > ZERO_TOL), None)
+    if away is None and any(abs(axis[2]) > 1.0 - ZERO_TOL for axis in axles):
         away = Y
     if away is not None:
         up = unit((0.0, away[1], away[2]))
         up = up if up[1] > 0.0 else scale(-1.0, up)
-        if all(abs(inner(outer(X, up), axis)) < SMALL for axis in slides):
+        if all(abs(inner(outer(X, up), axis)) < ZERO_TOL for axis in slides):
             return X, up
-    if away is None and axles and all(abs(axis[0]) > 1.0 - SMALL for axis in axles):
+    if away is None and axles and all(abs(axis[0]) > 1.0 - ZERO_TOL for axis in axles):
         return Y, Z
     return X, Z
 
@@ -208,7 +208,7 @@ def fitting(
     """
     left, low, right, high = box(places)
     span = max(right - left, high - low)
-    if span < SMALL:
+    if span < ZERO_TOL:
         return LARGEST / largest if largest else 1.0
     found = wanted / span
     nearest = min((abs(a - b) for a, b in combinations(bodies, 2) if abs(a - b) > 1e-3 * span), default=0.0)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sim2reason.figures.canvas import as_png
+from sim2reason.figures.canvas import png_bytes
 
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
@@ -68,7 +68,7 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
     with settings({"font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
-        rows = listed(shown.marks, second)
+        rows = event_lines(shown.marks, second)
         below = 0.55 + ROW * len(rows)
         height = TOP + PLANE * len(shown.trajectories) + PLOT_HEIGHT * len(shown.panels) + below
         figure, colors = Figure(figsize=(PLOT_WIDTH, height)), Colors()
@@ -92,7 +92,7 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
         save(figure, path, dpi)
 
 
-def listed(marks: Sequence[Mark], second: str) -> list[str]:
+def event_lines(marks: Sequence[Mark], second: str) -> list[str]:
     """Return the lines of the list of events with their times; the last line counts the omitted events."""
     lines = [f"{row}   {mark.time:.3f} {second}   {mark.text}" for row, mark in enumerate(marks[:MAX_EVENTS], start=1)]
     more = marks[MAX_EVENTS:]
@@ -293,4 +293,4 @@ def png(histogram: Histogram, dpi: int = 100) -> bytes:
             names = len(histogram.series)
             axes.legend(frameon=False, ncols=names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
         axes.spines[["top", "right"]].set_visible(False)
-        return as_png(figure, dpi)
+        return png_bytes(figure, dpi)

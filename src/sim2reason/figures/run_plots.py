@@ -81,7 +81,7 @@ class Point(NamedTuple):
     y: Bar
 
 
-def _short(name: str) -> str:
+def _shorten_name(name: str) -> str:
     return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
 
 
@@ -107,12 +107,12 @@ def bars(path: Path, title: str, groups: Sequence[str], bars_by_policy: Mapping[
             places = [index + wide * (number + 0.5) - 0.4 for index, bar in enumerate(row) if bar is not None]
             there = [bar for bar in row if bar is not None]
             color = SERIES_COLORS[number % len(SERIES_COLORS)]
-            axes.bar(places, [100 * b.value for b in there], wide, color=color, label=_short(name))
+            axes.bar(places, [100 * b.value for b in there], wide, color=color, label=_shorten_name(name))
             axes.errorbar(
                 places, [100 * b.value for b in there], _errors(there), fmt="none", ecolor="black", capsize=2.5
             )
         axes.set_xticks(
-            range(len(groups)), [_short(name) for name in groups], rotation=30 * (len(groups) > 4), ha="center"
+            range(len(groups)), [_shorten_name(name) for name in groups], rotation=30 * (len(groups) > 4), ha="center"
         )
         axes.set_ylim(0.0, 100.0)
         axes.set_ylabel("accuracy (%)")
@@ -135,7 +135,9 @@ def over_steps(
         upper, lower = figure.subplots(2, 1, sharex=True)
         for number, (name, row) in enumerate(accuracy.items()):
             color = SERIES_COLORS[number % len(SERIES_COLORS)]
-            upper.plot(steps, [100 * bar.value for bar in row], "o-", color=color, label=_short(name), markersize=4)
+            upper.plot(
+                steps, [100 * bar.value for bar in row], "o-", color=color, label=_shorten_name(name), markersize=4
+            )
             upper.fill_between(steps, [100 * b.low for b in row], [100 * b.high for b in row], color=color, alpha=0.15)
             lower.plot(steps, length[name], "o-", color=color, markersize=4)
         upper.set_ylabel("accuracy (%)")
@@ -163,7 +165,7 @@ def scatter(path: Path, points: Sequence[Point], across: str, up: str, title: st
             axes.errorbar(
                 [at[0]], [at[1]], _errors([point.y]), _errors([point.x]), fmt="o", color=color, capsize=2, markersize=5
             )
-            axes.annotate(_short(point.name), at, (5.0, 4.0), textcoords="offset points", fontsize=7.5)
+            axes.annotate(_shorten_name(point.name), at, (5.0, 4.0), textcoords="offset points", fontsize=7.5)
         axes.set_xlabel(f"{across}, accuracy (%)")
         axes.set_ylabel(f"{up}, accuracy (%)")
         axes.set_title(title, fontsize=9)

@@ -149,7 +149,7 @@ def moved(shape: Shape, by: complex) -> Shape:
     return replace(shape, points=tuple(point + by for point in shape.points))
 
 
-def hatched(a: complex, b: complex) -> Iterable[Shape]:
+def hatched_line(a: complex, b: complex) -> Iterable[Shape]:
     """Return the shapes of a fixed surface: a line with slanting strokes to the right of the way from `a` to `b`."""
     direction = (b - a) / abs(b - a)
     slant = direction * SLANT
@@ -166,7 +166,7 @@ def rough(a: complex, b: complex, normal: complex) -> Shape:
     return LineShape((a + 0.1 * direction - 0.1 * normal, b - 0.1 * direction - 0.1 * normal), "dots")
 
 
-def dot_at(center: complex, radius: float = 0.06) -> Shape:
+def axle_dot(center: complex, radius: float = 0.06) -> Shape:
     """Return a small filled circle, which marks an axle."""
     return Arc(center, radius, fill="ink", weight="hair")
 

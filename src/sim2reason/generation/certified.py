@@ -13,7 +13,7 @@ from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.difficulty import SolutionDifficulty, measure_difficulty, number_of_events
 from sim2reason.solutions.multipart import sequential_solutions
-from sim2reason.solutions.solution import chosen, combine_parts, convert_answer
+from sim2reason.solutions.solution import choice_solution, combine_parts, convert_answer
 from sim2reason.text.prose.description import Description
 
 
@@ -59,7 +59,7 @@ class CertifiedQuestion:
     def setting(self) -> ProblemContext:
         """Return the scene, motion, names and question that a worked solution starts from."""
         assert self.candidate.words is not None
-        return ProblemContext.of(self.question, self.study, self.candidate.words, self.description)
+        return ProblemContext.from_query(self.question, self.study, self.candidate.words, self.description)
 
 
 @dataclass(frozen=True)
@@ -79,9 +79,9 @@ def worked_solution(request: Request, certified: CertifiedQuestion) -> Solution:
     """
     if certified.parts:
         return combine_parts(part_solutions(request, certified, whole=True))
-    solution = _in_units(request, certified, certified.question, solve(certified.setting))
+    solution = _convert_units(request, certified, certified.question, solve(certified.setting))
     if certified.options and solution.answer is not None:
-        return chosen(solution, LETTERS_OF_OPTIONS[certified.options.index(None)])
+        return choice_solution(solution, LETTERS_OF_OPTIONS[certified.options.index(None)])
     return solution
 
 
@@ -90,17 +90,17 @@ def part_solutions(request: Request, certified: CertifiedQuestion, *, whole: boo
     settings = [part.certified.setting for part in certified.parts]
     solutions = sequential_solutions(settings, [part.solution for part in certified.parts], whole=whole)
     questions = (part.certified.question for part in certified.parts)
-    return [_in_units(request, certified, *pair) for pair in zip(questions, solutions, strict=True)]
+    return [_convert_units(request, certified, *pair) for pair in zip(questions, solutions, strict=True)]
 
 
-def _in_units(
+def _convert_units(
     request: Request, certified: CertifiedQuestion, target_question: Question, solution: Solution
 ) -> Solution:
     """Return the solution of one question in the units of the complete text."""
     answers = [part.certified.question for part in certified.parts] or [target_question]
     amounts = ((question.answer, question.unit) for question in answers)
     return convert_answer(
-        system_named(request.units).beside(certified.prompt, *amounts), solution, target_question.unit
+        system_named(request.units).suited_to(certified.prompt, *amounts), solution, target_question.unit
     )
 
 

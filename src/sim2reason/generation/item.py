@@ -17,9 +17,9 @@ from pydantic import (
 )
 from pydantic_core import from_json
 
-from sim2reason.base.records import abridged
+from sim2reason.base.records import abridge
 from sim2reason.grading import Score, choice, formula, number, parts
-from sim2reason.grading.parts import LABELS, Grader
+from sim2reason.grading.parts import PART_LABELS, Grader
 from sim2reason.questions.prompt_formats import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.description import formula_unit, stated_value
@@ -34,7 +34,7 @@ class Record(BaseModel):
 
     def __repr__(self) -> str:
         """Return the class and the fields that differ from their defaults, with long values shortened."""
-        shown = (f"{name}={abridged(repr(value), 40)}" for name, value in self._given())
+        shown = (f"{name}={abridge(repr(value), 40)}" for name, value in self._given())
         return f"{type(self).__name__}({', '.join(shown)})"
 
     def __str__(self) -> str:
@@ -153,7 +153,7 @@ class Answer(Record):
     def told(self) -> str:
         """Return the number with its unit, the formula with its value, or the answer to each part, as text."""
         if self.parts:
-            return "; ".join(f"({label}) {part.told}" for label, part in zip(LABELS, self.parts, strict=False))
+            return "; ".join(f"({label}) {part.told}" for label, part in zip(PART_LABELS, self.parts, strict=False))
         number = join_unit(f"{self.value:.6g}", self.unit)
         number = self.texts[LETTERS.index(self.letter)] if self.texts else number
         number = f"{self.letter}. {number}" if self.letter else number
@@ -163,7 +163,7 @@ class Answer(Record):
     def shown(self) -> str:
         """Return the answer as text, with the direction that counts as positive."""
         if self.parts:
-            return "; ".join(f"({label}) {part.shown}" for label, part in zip(LABELS, self.parts, strict=False))
+            return "; ".join(f"({label}) {part.shown}" for label, part in zip(PART_LABELS, self.parts, strict=False))
         return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
 
 
@@ -330,7 +330,7 @@ class Item(Record):
 
     def __repr__(self) -> str:
         """Return the id, the mode and the answer on one line."""
-        return f"<Item {self.id!r}: {self.mode}, answer {abridged(self.answer.shown)}>"
+        return f"<Item {self.id!r}: {self.mode}, answer {abridge(self.answer.shown)}>"
 
     def __str__(self) -> str:
         """Return the id and coordinates, the prompt in lines of at most 88 characters, and the answer."""

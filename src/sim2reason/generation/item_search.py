@@ -16,7 +16,7 @@ from sim2reason.generation.item import Answer
 from sim2reason.generation.options import MAX_DISTRACTORS, distractors, options, options_of_two
 from sim2reason.generation.part_search import PartSearch
 from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch, RefusedQuestion
-from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.recipes import RECIPES, find_difficulty
 from sim2reason.generation.request import Request, random_kind_order
 from sim2reason.questions import KINDS, MODES, QuestionMode
 from sim2reason.questions.difficulty import ELEMENTARY, EVERY, NEEDS, Difficulty, Need
@@ -39,7 +39,7 @@ def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int
         DrawError: nothing fitted together within the budget.
     """
     draw = RECIPES[recipe]
-    checked = difficulty_named(difficulty)
+    checked = find_difficulty(difficulty)
     for attempt in range(TRIES):
         try:
             scene = draw(checked, generator("scene", recipe, difficulty, seed, index, attempt))
@@ -55,7 +55,7 @@ SHARE = 0.08
 SIMPLE = frozenset(need for need in Need if need <= ELEMENTARY)
 
 
-def allowed(request: Request) -> frozenset[Need]:
+def allowed_needs(request: Request) -> frozenset[Need]:
     """Return the mathematics that solutions may need: as requested, else elementary, or any for a random 8 %."""
     if request.needs:
         return frozenset(NEEDS[name] for name in request.needs)
@@ -105,10 +105,10 @@ QUESTIONS_PER_SCENE = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes without any question after which the search ends
 OTHERS = 3  # rounds of other kinds on the same scenes before new ones are drawn
 KNOWN = 4  # questions of a kind rejected for few laws after which the kind is tried last
-REFUSED = 6  # questions of a kind rejected by any filter after which the kind is tried last
+MAX_REFUSALS = 6  # questions of a kind rejected by any filter after which the kind is tried last
 UNFIT = 120  # draws of a kind that all need disallowed means after which the search gives up
 HOPELESS = 2  # draws of a kind that all need disallowed means after which the kind is tried last
-BEYOND = 2  # kinds needing disallowed means after which a scene is abandoned
+MAX_UNFIT_KINDS = 2  # kinds needing disallowed means after which a scene is abandoned
 ABSENT = 3  # scenes that do not offer a kind after which the kind is tried last
 SETTINGS = (
     MAX_SCENES,
@@ -117,10 +117,10 @@ SETTINGS = (
     OTHERS,
     EMPTY,
     KNOWN,
-    REFUSED,
+    MAX_REFUSALS,
     UNFIT,
     HOPELESS,
-    BEYOND,
+    MAX_UNFIT_KINDS,
     ABSENT,
 )
 
@@ -139,9 +139,9 @@ class ItemSearch:
     def __init__(self, request: Request) -> None:
         """Store the request; UnknownNameError for an unknown name in it."""
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
-        self._difficulty: Difficulty = difficulty_named(request.difficulty)
+        self._difficulty: Difficulty = find_difficulty(request.difficulty)
         self._kinds = random_kind_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
-        self._needs = allowed(request)
+        self._needs = allowed_needs(request)
         self.on_refusal: Callable[[RefusedQuestion], None] | None = None  # called with each question that is refused
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
@@ -152,7 +152,7 @@ class ItemSearch:
         self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
 
     @property
-    def wanted(self) -> str:
+    def first_kind(self) -> str:
         """Return the question kind tried first; empty if it only gave questions answered in textbooks."""
         return self._first if self._first in self._problems else ""
 
@@ -179,7 +179,7 @@ class ItemSearch:
     def _is_last(self, kind: str) -> bool:
         """Return whether a kind is tried last: seldom possible, mostly rejected, or needing disallowed mathematics."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
-        return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
+        return known or self._refused[kind] >= MAX_REFUSALS or self._unsuited[kind] >= HOPELESS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """Return a question that passes all filters, about one of several drawn scenes; None if there is none."""
@@ -192,9 +192,9 @@ class ItemSearch:
         turns = 0
         for kind in kinds:
             for search, rng in drawn:
-                if kind in search.kinds or kind in search.beyond or len(search.beyond) >= BEYOND:
+                if kind in search.kinds or kind in search.beyond or len(search.beyond) >= MAX_UNFIT_KINDS:
                     continue
-                certified = self._asked(search, rng, kind)
+                certified = self._ask_kind(search, rng, kind)
                 turns += kind in search.kinds or kind in search.beyond
                 if certified is not None or turns == OTHERS:
                     return certified
@@ -232,9 +232,9 @@ class ItemSearch:
     ) -> CertifiedQuestion | None:
         """Return a question of the first kind that a scene allows, or None if that kind or every kind fails."""
         for kind in kinds:
-            if len(search.beyond) >= BEYOND:
+            if len(search.beyond) >= MAX_UNFIT_KINDS:
                 return None
-            certified = self._asked(search, rng, kind)
+            certified = self._ask_kind(search, rng, kind)
             if kind in search.kinds:
                 self._first = self._first or kind
                 return certified
@@ -242,7 +242,7 @@ class ItemSearch:
         self.rejected[NOTHING] += 1
         return None
 
-    def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
+    def _ask_kind(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
         refused, certified = Counter[str](), None
         try:
             certified = search.ask(self._mode, rng, refused, kind, QUESTIONS_PER_SCENE)

@@ -28,7 +28,7 @@ from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.difficulty import most_advanced
 from sim2reason.questions.kinds.nested import WhichKind, WhichQuery
 from sim2reason.questions.prompt import unit_in_words, without_form
-from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, PartPrompt, amounts
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, PartPrompt, format_options
 from sim2reason.questions.spoken_units import SpokenUnits, spoken_in, system_named
 from sim2reason.scenes.files import Wording, dump
 from sim2reason.simulation.certify import Certificate
@@ -44,7 +44,7 @@ def in_units(system: SpokenUnits, item: Item) -> Item:
     if item.answer.formula is not None:
         return item
     answers = item.answer.parts or (item.answer,)
-    system = system.beside(item.prompt, *((answer.value, answer.unit) for answer in answers))
+    system = system.suited_to(item.prompt, *((answer.value, answer.unit) for answer in answers))
     if item.parts:
         return _parts_told_in(system, item)
     if item.answer.letter:
@@ -70,7 +70,7 @@ def _options_told_in(system: SpokenUnits, item: Item) -> Item:
     question = spoken_in(system, prompt.question)
     return item.model_copy(
         update={
-            "prompt": ChoicePrompt(question, answer.texts or amounts(answer.options, answer.unit)).text,
+            "prompt": ChoicePrompt(question, answer.texts or format_options(answer.options, answer.unit)).text,
             "answer": answer,
             "distractors": tuple(_distractor(system, wrong, item.answer.unit) for wrong in item.distractors),
             "idle": tuple(spoken_in(system, part) for part in item.idle),
@@ -134,11 +134,11 @@ def make(request: Request) -> Made:
     """Draw scenes and questions until one passes every filter; UnknownNameError for an unknown name."""
     search = ItemSearch(request)
     certified = search.find()
-    item = item_of(request, certified) if certified is not None else None
-    return Made(item, dict(search.rejected), search.wanted)
+    item = build_item(request, certified) if certified is not None else None
+    return Made(item, dict(search.rejected), search.first_kind)
 
 
-def item_of(request: Request, certified: CertifiedQuestion) -> Item:
+def build_item(request: Request, certified: CertifiedQuestion) -> Item:
     """Return the item for a certified question."""
     scene = certified.description.scene
     question = certified.question
@@ -147,19 +147,19 @@ def item_of(request: Request, certified: CertifiedQuestion) -> Item:
         id=request.id,
         prompt=certified.prompt,
         shape=certified.shape,
-        answer=answer_of(certified),
+        answer=answer_record(certified),
         mode=request.mode,
         kind=question.query.kind,
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
-        asked=_query_of(certified),
+        asked=_query_record(certified),
         needs=_needs_of(certified),
         measured=_difficulty_of(certified.measured) if certified.measured is not None else None,
         parts=_parts_of(request, certified),
         distractors=_wrong_answers(certified),
-        idle=_in_all(certified, idle_parts),
-        idle_numbers=_in_all(certified, idle_numbers),
+        idle=_idle_in_all(certified, idle_parts),
+        idle_numbers=_idle_in_all(certified, idle_numbers),
         solution=solution,
         unsolved=unsolved,
         scene=dump(certified.study.scene, _wording_of(certified.description)),
@@ -186,7 +186,7 @@ def with_options(item: Item, certified: CertifiedQuestion) -> Item:
     numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
     texts = _names_and(numbers, answer.unit, certified)
     lettered_answer = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
-    prompt = ChoicePrompt(body, texts or amounts(numbers, answer.unit)).text
+    prompt = ChoicePrompt(body, texts or format_options(numbers, answer.unit)).text
     return item.model_copy(update={"prompt": prompt, "answer": lettered_answer})
 
 
@@ -195,7 +195,7 @@ def _names_and(numbers: Sequence[float], unit: str, certified: CertifiedQuestion
     kind, query, words = certified.candidate.kind, certified.question.query, certified.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()
-    pairs = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
+    pairs = zip(format_options([abs(number) for number in numbers], unit), numbers, strict=True)
     return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in pairs)
 
 
@@ -216,7 +216,7 @@ def _parts_of(request: Request, certified: CertifiedQuestion) -> tuple[QuestionP
         QuestionPart(
             text=part.text,
             kind=part.certified.question.query.kind,
-            asked=_query_of(part.certified),
+            asked=_query_record(part.certified),
             uses=part.uses,
             distractors=distractors(part.certified.candidate, certified.description),
             solution=solution,
@@ -227,7 +227,9 @@ def _parts_of(request: Request, certified: CertifiedQuestion) -> tuple[QuestionP
     )
 
 
-def _in_all(certified: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
+def _idle_in_all(
+    certified: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]
+) -> tuple[str, ...]:
     """Return the names of parts or numbers of the scene that `idle` finds irrelevant for every part of the problem."""
     candidates = [part.certified.candidate for part in certified.parts] or [certified.candidate]
     each = [idle(candidate, certified.description) for candidate in candidates]
@@ -239,7 +241,7 @@ def _wording_of(description: Description) -> Wording:
     return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
 
 
-def answer_of(certified: CertifiedQuestion) -> Answer:
+def answer_record(certified: CertifiedQuestion) -> Answer:
     """Return the record of the answer, or of the answers to all parts."""
     question, tolerance = certified.question, certified.candidate.tolerance
     formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
@@ -249,7 +251,7 @@ def answer_of(certified: CertifiedQuestion) -> Answer:
         sign=question.sign,
         tolerance=tolerance,
         formula=formula,
-        parts=tuple(answer_of(part.certified) for part in certified.parts),
+        parts=tuple(answer_record(part.certified) for part in certified.parts),
     )
 
 
@@ -275,7 +277,7 @@ def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
     return MeasuredDifficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 
-def _query_of(certified: CertifiedQuestion) -> QueryRecord:
+def _query_record(certified: CertifiedQuestion) -> QueryRecord:
     """Return the record of the query."""
     query, given = certified.question.query, certified.question.given
     kind = KINDS[query.kind]

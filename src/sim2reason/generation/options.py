@@ -5,10 +5,10 @@ from hashlib import blake2b
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.filters import Candidate
-from sim2reason.generation.filters.misconceptions import Effect, effects, far_effects
+from sim2reason.generation.filters.misconceptions import Effect, effects, find_far_effects
 from sim2reason.generation.filters.sensitivity import elasticities, matters
 from sim2reason.generation.item import Answer, Distractor, Item, grade_answer
-from sim2reason.questions.prompt_formats import LETTERS, said
+from sim2reason.questions.prompt_formats import LETTERS, format_numbers
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
@@ -26,15 +26,15 @@ def distractors(candidate: Candidate, description: Description, few: int = MIN_D
     If misconceptions give fewer than `few`, a longer search includes answers far from the correct one.
     """
     selected = list[Effect]()
-    ranked = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
+    ranked = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_sort_key)
     for effect in (e for e in ranked if e.simplification.misleads):
         _add(effect, candidate, selected)
     _fill(selected, MAX_DISTRACTORS, (e for e in ranked if not e.simplification.misleads), candidate)
-    _fill(selected, few, far_effects(candidate), candidate)
-    return tuple(_told(effect, description) for effect in sorted(selected, key=_place))
+    _fill(selected, few, find_far_effects(candidate), candidate)
+    return tuple(_told(effect, description) for effect in sorted(selected, key=_sort_key))
 
 
-def _place(effect: Effect) -> tuple[float, str]:
+def _sort_key(effect: Effect) -> tuple[float, str]:
     """Return the key by which distractors are sorted: the distance from the correct answer, then the misconception."""
     return effect.change, effect.simplification.name
 
@@ -74,7 +74,7 @@ def _told(effect: Effect, description: Description) -> Distractor:
 def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
     """Return the names of parts that can be held fixed or omitted without effect."""
     idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.is_accepted)
-    return tuple(_called(subject, description) for subject in idle)
+    return tuple(_subject_name(subject, description) for subject in idle)
 
 
 def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, ...]:
@@ -89,11 +89,11 @@ def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, .
 
 
 def _reason(effect: Effect, description: Description) -> str:
-    said = effect.simplification.reason.format(subject=_called(effect.subject, description))
+    said = effect.simplification.reason.format(subject=_subject_name(effect.subject, description))
     return said[0].upper() + said[1:] + "."
 
 
-def _called(subject: str, description: Description) -> str:
+def _subject_name(subject: str, description: Description) -> str:
     """Return the name of a body or other part in the text; else the name in the scene."""
     scene = description.scene
     if subject in scene.bodies:
@@ -133,9 +133,9 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
         return None
     chosen: list[Distractor | None] = [None]
     for each in wrong:
-        if len(chosen) < len(LETTERS) and _stands_apart(answer, each, chosen):
+        if len(chosen) < len(LETTERS) and _is_distinct(answer, each, chosen):
             chosen.append(each)
-    if len(chosen) <= REQUIRED_DISTRACTORS or not _graded(answer, said(values(answer, chosen))):
+    if len(chosen) <= REQUIRED_DISTRACTORS or not _graded(answer, format_numbers(values(answer, chosen))):
         return None
     return _ordered(chosen, name)
 
@@ -148,7 +148,7 @@ def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Op
     size = answer.model_copy(update={"value": abs(answer.value)})
     sizes = (each.model_copy(update={"value": abs(each.value)}) for each in wrong)
     pairs = zip(wrong, sizes, strict=True)
-    number = next((each for each, positive in pairs if _stands_apart(size, positive, [None])), None)
+    number = next((each for each, positive in pairs if _is_distinct(size, positive, [None])), None)
     if number is None:
         return None
     other = Distractor(value=-answer.value, simplification=OTHER, reason=NAMES_OTHER)
@@ -167,7 +167,7 @@ def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
     return tuple(chosen[number] for number in sorted(range(len(chosen)), key=lambda number: order[number]))
 
 
-def options_of(item: Item) -> Options | None:
+def item_options(item: Item) -> Options | None:
     """Return the options of a multiple-choice item, or those that another item could have; None for too few."""
     if not item.answer.letter:
         return options(item.answer, item.distractors, item.id)
@@ -180,7 +180,7 @@ def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
     return [answer.value if wrong is None else wrong.value for wrong in chosen]
 
 
-def _stands_apart(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
+def _is_distinct(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
     """Return whether a wrong answer differs clearly from the correct one and from all chosen options."""
     separation = max(OPTION_RTOL, answer.tolerance) + ROUNDING
     others = values(answer, chosen)

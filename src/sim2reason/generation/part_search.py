@@ -22,7 +22,7 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.kinds.stretches import StretchKind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AllAlong, AtStart
-from sim2reason.questions.prompt_formats import together
+from sim2reason.questions.prompt_formats import build_part_prompt
 from sim2reason.questions.query import Targets, targets
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Channel
@@ -113,11 +113,11 @@ class PartSearch:
 
     def _may_be_joined(self, part: _Part) -> bool:
         """Return whether another part can help to solve this one, by an intermediate result or the time of an event."""
-        return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
+        return bool(_intermediate_results(part.solution)) or isinstance(part.question.query.moment, Happening)
 
     def _setting(self, question: Question) -> ProblemContext:
         search = self._search
-        return ProblemContext.of(question, search.study, search.words, search.description)
+        return ProblemContext.from_query(question, search.study, search.words, search.description)
 
     def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
         """Return whether the answer to one of two questions is used in the solution of the other."""
@@ -137,16 +137,16 @@ class PartSearch:
     def _on_the_way(self, part: _Part) -> Iterator[Query]:
         """Yield questions for the intermediate results of a part's solution, and for the time of its moment."""
         study, moments = self._search.study, _moments([part])
-        values = list(_found_in(part.solution).values())
+        values = list(_intermediate_results(part.solution).values())
         for when in moments:
-            yield from self._at("time_to_event", when)
+            yield from self._queries_at("time_to_event", when)
             at = study.time(when)
             if at is None:
                 continue
             state = study.trace.at(when.evaluation_time(at))
             for target in self._targets:
                 value = target.value(state)
-                if any(_same(value, known) for known, _ in values):
+                if any(_is_same_value(value, known) for known, _ in values):
                     yield from _query(target, when, study)
 
     def _others(self, parts: list[_Part]) -> Iterator[Query]:
@@ -155,13 +155,13 @@ class PartSearch:
         pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
         order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
         for number in order:
-            yield from self._at(*pairs[number // EACH])
+            yield from self._queries_at(*pairs[number // EACH])
         order = self._rng.permutation(len(kinds)).tolist()
         for number in order:
             query = KINDS[kinds[number]].draw(search.study, search.words, self._targets, self._rng)
             yield from [query] if query is not None else []
 
-    def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
+    def _queries_at(self, kind: str, moment: Moment) -> Iterator[Query]:
         """Yield a question of one kind about a moment, if there is one."""
         search = self._search
         query = KINDS[kind].at(moment, search.study, search.words, self._targets, self._rng)
@@ -176,7 +176,7 @@ class PartSearch:
         ordered = self._ordered(parts)
         questions = [part.question for part in ordered]
         description = self._search.described(questions)
-        prompt, texts = together(description, questions, self._search.words, self._rng)
+        prompt, texts = build_part_prompt(description, questions, self._search.words, self._rng)
         certified_parts = tuple(
             CertifiedPart(
                 part.certified, part.solution, texts[k], tuple(n for n in range(k) if part.follows(ordered[n]))
@@ -228,10 +228,12 @@ def _leads(question: Question, solution: Solution, other: Question, to: Solution
     if solution.answer is None or to.answer is None:
         return False
     value, unit = solution.values[solution.goal], solution.unit
-    return any(_same(value, known) and unit == known_unit for known, known_unit in _found_in(to).values())
+    return any(
+        _is_same_value(value, known) and unit == known_unit for known, known_unit in _intermediate_results(to).values()
+    )
 
 
-def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
+def _intermediate_results(solution: Solution) -> dict[str, tuple[float, str]]:
     """Return the values and units of a solution's intermediate results, by name."""
     results = (r for r in solution.relations if r.unit and isinstance(r.left, Symbol) and r.role in ("law", "result"))
     names = {relation.left.latex(): relation.unit for relation in results}
@@ -242,7 +244,7 @@ def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
     }
 
 
-def _same(value: float, other: float) -> bool:
+def _is_same_value(value: float, other: float) -> bool:
     return abs(value - other) <= SAME_VALUE_RTOL * abs(value)
 
 

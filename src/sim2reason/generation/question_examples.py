@@ -23,7 +23,7 @@ from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments import Happening, Moment
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import understand_sentence
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.posing import pose_question
@@ -67,9 +67,9 @@ def examples() -> Examples:
         scene = loads(own.text)
         motion, words = simulate_scene(scene), words_of(describe(scene))
         for sentence in own.asked:
-            interpretation = understood(sentence, motion, words)
+            interpretation = understand_sentence(sentence, motion, words)
             if interpretation is not None:
-                _enter(interpretation.posed.query, motion, words, collected, sentence)
+                _enter(interpretation.posed_question.query, motion, words, collected, sentence)
     return collected
 
 
@@ -112,7 +112,7 @@ def _is_something(query: Query, motion: FollowedMotion) -> bool:
 def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, collected: Examples) -> Iterator[Query]:
     """Yield questions for each functional without an example, over the motion up to each suitable moment."""
     for functional in FUNCTIONALS.values():
-        named = words.called(functional.of) if functional.name not in collected.functionals else ()
+        named = words.subject_phrases(functional.of) if functional.name not in collected.functionals else ()
         for name in named:
             if not functional.present(words, name):
                 continue
@@ -130,7 +130,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, collected: Exampl
     entries = _names(query)
     table = vars(collected)
     new = [(registry, name) for registry, name in entries if name not in table[registry]]
-    structured = _in_parts(query, motion, words) if new else None
+    structured = _structured_parts(query, motion, words) if new else None
     if structured is None:
         return
     try:
@@ -161,7 +161,7 @@ def _names(query: Query) -> list[tuple[str, str]]:
     return names
 
 
-def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+def _structured_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
     """Return a query as structured parts (find, of, when); None if its kind has no such form here."""
     if isinstance(query, NestedQuery | WhichQuery):
         return _of_others(query, motion, words)
@@ -186,7 +186,7 @@ def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: W
     """Return the structured question for a query that contains one other query, as a limit does, or two."""
     if isinstance(query, NestedQuery):
         return _nested(query, motion, words)
-    return _of_two(*(_in_parts(each, motion, words) for each in query.both))
+    return _of_two(*(_structured_parts(each, motion, words) for each in query.both))
 
 
 def _of_two(first: StructuredQuestion | None, second: StructuredQuestion | None) -> StructuredQuestion | None:
@@ -203,7 +203,7 @@ def _when(moment: Moment | None, words: Words) -> str:
 
 def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
     """Return the parts of a nested query: the inner query's parts with the outer query's change or condition."""
-    inner = _in_parts(query.inner, motion, words)
+    inner = _structured_parts(query.inner, motion, words)
     if inner is None:
         return None
     parts = {"of": inner.of, "when": inner.when, "along": inner.along}

@@ -50,7 +50,7 @@ class RefusedQuestion:
 
 
 @dataclass(frozen=True)
-class _Told:
+class _WordedQuestion:
     """A question with its candidate for the filters and the text that states it."""
 
     candidate: Candidate
@@ -98,7 +98,7 @@ class QuestionSearch:
             else SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         )
         self._first_wording = wording
-        self._vouched: tuple[SimulatedScene, Certificate] | None = None
+        self._certified_motion: tuple[SimulatedScene, Certificate] | None = None
         self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
         self.kinds: set[str] = set()  # of questions that were found in it
         self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
@@ -117,7 +117,7 @@ class QuestionSearch:
         """Return the names and symbols in the scene's text, which questions use."""
         return words_of(self.description)
 
-    def _words(self, told: "_Told") -> Words:
+    def _words(self, told: "_WordedQuestion") -> Words:
         """Return the names and symbols in a question's own text, which may omit some numbers."""
         stated = told.description.told
         if len(stated) == len(self.description.told):
@@ -129,12 +129,12 @@ class QuestionSearch:
         """Return the motion up to the time until which both engines agree, with the certificate."""
         time = KINDS[query.kind].time(query, study)
         trace = study.trace if time is None else study.trace.through(TIME_MARGIN * time)
-        known = self._vouched if study is self.study else None
+        known = self._certified_motion if study is self.study else None
         if known is None or len(known[0].trace.state.times) < len(trace.state.times):
             seen, certificate = certify_trace(trace)
             known = SimulatedScene(study.scene, seen), certificate
         if study is self.study:
-            self._vouched = known
+            self._certified_motion = known
         return known
 
     @cached_property
@@ -227,14 +227,16 @@ class QuestionSearch:
         """Return the text for several questions, without the sentences that matter to none of them."""
         topics = self.description.topics
         idle = (irrelevant(question, self.study, topics) for question in questions)
-        return self._leaving_out(frozenset[Topic].intersection(*idle))
+        return self._without_topics(frozenset[Topic].intersection(*idle))
 
     def _told(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
-    ) -> "_Told":
+    ) -> "_WordedQuestion":
         """Return a question with its prompt, ready for the filters."""
         study = mode.study(question, self.study)
-        description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
+        description = mode.described(
+            question, self._without_topics(irrelevant(question, study, self.description.topics))
+        )
         prompt = shaped(description, question, rng)
         sentences = description.sentences
         level: Difficulty = self._difficulty or "medium"
@@ -251,9 +253,9 @@ class QuestionSearch:
             easy=self.easy,
             beside=beside,
         )
-        return _Told(candidate, description, prompt.shape)
+        return _WordedQuestion(candidate, description, prompt.shape)
 
-    def _leaving_out(self, topics: frozenset[Topic]) -> Description:
+    def _without_topics(self, topics: frozenset[Topic]) -> Description:
         """Return the scene's text without sentences on some topics, cached because many questions omit the same."""
         if topics not in self._texts:
             self._texts[topics] = self.description.leaving_out(topics)

@@ -10,7 +10,7 @@ from math import log, pi
 from typing import NamedTuple
 
 from sim2reason.generation.item import Item, QueryRecord
-from sim2reason.grading.formula import CompiledFormula, compiled
+from sim2reason.grading.formula import CompiledFormula, compile_formula
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 
 POINTS = 6  # at which formulas are evaluated; some have no value at most points because of square roots
@@ -39,7 +39,7 @@ def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) ->
     The text of the formula itself if it has too few values to be distinctive, or cannot be parsed.
     """
     try:
-        formula = compiled(latex, symbols)
+        formula = compile_formula(latex, symbols)
     except ValueError:
         return latex
     unit_of = dict(zip(symbols, units, strict=True))
@@ -111,17 +111,17 @@ def problem(item: Item) -> str:
     if formula is not None and not item.parts:
         return fingerprint(formula.latex, formula.symbols, formula.units)
     questions = sorted(question(part.kind, part.asked) for part in item.parts) or [question(item.kind, item.asked)]
-    return "\n".join((item.mode, *questions, without_numbers(item.scene)))
+    return "\n".join((item.mode, *questions, mask_numbers(item.scene)))
 
 
 def question(kind: str, query: QueryRecord) -> str:
     """Return the query of a question as text without numbers."""
-    event = without_numbers(query.event or "")
+    event = mask_numbers(query.event or "")
     left_open = ", ".join(dict.fromkeys(filter(None, (query.unknown, query.limit_of))))
     return f"{kind}\n{query.quantity}\n{query.subject}\n{left_open}\n{event}"
 
 
-def split_of(item: Item, shares: Mapping[str, float]) -> str:
+def choose_split(item: Item, shares: Mapping[str, float]) -> str:
     """Return the split of an item; each split gets its share of all problems up to numbers."""
     names = list(shares)
     if len(names) == 1:
@@ -132,11 +132,11 @@ def split_of(item: Item, shares: Mapping[str, float]) -> str:
     return next((name for name, bound in bounds if fraction < bound), names[-1])
 
 
-def numbers_in(text: str) -> list[float]:
+def parse_numbers(text: str) -> list[float]:
     """Return the numbers in a text."""
     return [float(number.replace("−", "-")) for number in _NUMBER.findall(text)]
 
 
-def without_numbers(text: str) -> str:
+def mask_numbers(text: str) -> str:
     """Return a text with its numbers replaced by a placeholder."""
     return _NUMBER.sub("#", text)

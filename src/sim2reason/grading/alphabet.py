@@ -22,7 +22,7 @@ __all__ = [
     "SWITCHES",
     "VARIANTS",
     "Pieces",
-    "either",
+    "alternatives_pattern",
     "is_angle",
     "split",
 ]
@@ -146,7 +146,7 @@ def is_angle(name: str) -> bool:
     return name.partition("_")[0] in ANGLES
 
 
-def either(kind: str, text: str = "") -> str:
+def alternatives_pattern(kind: str, text: str = "") -> str:
     """Return a regular expression for all LaTeX commands of one kind, or only those with the meaning `text`."""
     names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
     return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))

@@ -41,7 +41,7 @@ def _reciprocal(function: Callable[[float], float]) -> Callable[[float], float]:
     return lambda x: 1 / function(x)
 
 
-def _of_reciprocal(function: Callable[[float], float]) -> Callable[[float], float]:
+def _apply_to_reciprocal(function: Callable[[float], float]) -> Callable[[float], float]:
     return lambda x: function(1 / x)
 
 
@@ -55,9 +55,9 @@ _FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
     "arcsin": math.asin,
     "arccos": math.acos,
     "arctan": math.atan,
-    "arccot": _of_reciprocal(math.atan),
-    "arcsec": _of_reciprocal(math.acos),
-    "arccsc": _of_reciprocal(math.asin),
+    "arccot": _apply_to_reciprocal(math.atan),
+    "arcsec": _apply_to_reciprocal(math.acos),
+    "arccsc": _apply_to_reciprocal(math.asin),
     "sinh": math.sinh,
     "cosh": math.cosh,
     "tanh": math.tanh,
@@ -210,7 +210,7 @@ def draw_points(
     """Yield values of all symbols at which the correct formula has a value, near given values or within ranges."""
     names = sorted(table)
     if given:
-        around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(MAX_CANDIDATES))
+        around = (_draw_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(MAX_CANDIDATES))
         yield from _valued(node, around)
         return
     for low, high in (USUAL, WIDE):
@@ -223,7 +223,9 @@ def opposite_sign_points(
 ) -> list[Bindings]:
     """Return values of the symbols at which the correct formula has the opposite sign, to detect a lost sign."""
     names = sorted(table)
-    far = (_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES))
+    far = (
+        _draw_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES)
+    )
     return list(islice((point for point in far if (value(node, point) or 0.0) * sign < 0.0), TURNED))
 
 
@@ -247,7 +249,7 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
     return point
 
 
-def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = MAX_FACTOR) -> Bindings:
+def _draw_around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = MAX_FACTOR) -> Bindings:
     """Return given values of the symbols, each times a random factor; angles stay in their quadrants."""
     point: dict[str, float] = {}
     for name in names:

@@ -63,9 +63,9 @@ def _with_value(content: str, letters: str, values: Sequence[float], unit: str |
 def _with_text(content: str, letters: str, texts: Sequence[str]) -> str:
     """Return the letter of the option whose text an answer repeats; empty if none, or after a different letter."""
     named, rest = _led(content)
-    plain_rest, plain = _plain(rest), _plain(content)
+    plain_rest, plain = _normalize(rest), _normalize(content)
     pairs = zip(letters, texts, strict=True)
-    matching_letters = [name for name, text in pairs if _plain(text) in (plain_rest, plain)]
+    matching_letters = [name for name, text in pairs if _normalize(text) in (plain_rest, plain)]
     return matching_letters[0] if len(matching_letters) == 1 and named in ("", matching_letters[0]) else ""
 
 
@@ -76,6 +76,6 @@ def _led(content: str) -> tuple[str, str]:
     return (led[1].upper(), content[led.end() :]) if led else ("", content)
 
 
-def _plain(text: str) -> str:
+def _normalize(text: str) -> str:
     """Normalize a text for comparison: upper case, without LaTeX fonts, spaces and punctuation around words."""
     return re.sub(r"[,;~\\]", "", _DRESS.sub("", text)).upper()

@@ -17,10 +17,10 @@ __all__ = [
     "boxed",
     "closed_boxes",
     "fault_of_box",
-    "opened",
+    "prepend_opening_mark",
+    "remove_thinking",
+    "response_string",
     "response_text",
-    "text_of",
-    "without_thinking",
 ]
 
 _STRIKING: Final = "x?cancel|bcancel|sout|st|xout"
@@ -141,7 +141,7 @@ _BEGINNING: Final = re.compile(
 """Matches the beginning of a response that starts with thinking: of gpt-oss without its tokens, Apriel, Granite 3.2."""
 
 
-def without_thinking(text: str) -> str:
+def remove_thinking(text: str) -> str:
     """Return the text after the last closing mark of the thinking.
 
     Raises `Refused` (no answer) if the thinking is unfinished. An opening mark that is only quoted, within a line and
@@ -195,7 +195,7 @@ NESTED: Final = 6  # levels of lists of messages and their content parts
 _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 
 
-def text_of(given: object) -> str:
+def response_string(given: object) -> str:
     """Return the text of a response: the string, or the last of several messages; bytes are decoded as UTF-8.
 
     Raises `Refused` (no answer) if there is no text.
@@ -217,10 +217,10 @@ def text_of(given: object) -> str:
     raise Refused(Outcome.NO_ANSWER, f"a response is text, not {type(given).__name__}")
 
 
-def opened(given: object) -> object:
+def prepend_opening_mark(given: object) -> object:
     """Prepend the opening mark <think>, which the prompt already contained, to a response."""
     try:
-        text = text_of(given)
+        text = response_string(given)
     except Refused:
         return given
     return text if text.lstrip()[: len(OPENING)] == OPENING else OPENING + text
@@ -228,10 +228,10 @@ def opened(given: object) -> object:
 
 def response_text(given: object) -> str:
     """Return the text of a response after the thinking; Refused if the thinking never ends."""
-    response = text_of(given)
+    response = response_string(given)
     if len(response) > MAX_RESPONSE:
         raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE} characters")
-    return without_thinking(response)[-WINDOW:]
+    return remove_thinking(response)[-WINDOW:]
 
 
 def boxed(response: object) -> str:

@@ -25,13 +25,13 @@ from sim2reason.grading.number import number
 from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.sides import Statement, flattened, is_signed, statement, two_values, unwrapped
-from sim2reason.grading.spelling import balanced, spelled, vectors_as_components
+from sim2reason.grading.sides import Statement, flatten, is_signed, statement, two_values, unwrap
+from sim2reason.grading.spelling import normalize_spelling, strip_unmatched_braces, vectors_as_components
 from sim2reason.grading.tokens import Token, canonical, tokenize
-from sim2reason.grading.units import unit_in
+from sim2reason.grading.units import parse_answer_unit
 from sim2reason.scenes.dsl.units import UnitError
 
-__all__ = ["CompiledFormula", "FormulaError", "compiled", "formula"]
+__all__ = ["CompiledFormula", "FormulaError", "compile_formula", "formula"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,7 @@ class CompiledFormula:
         return arithmetic.value(self._node, {self._names[name]: point[name] for name in self.symbols})
 
 
-def compiled(latex: str, symbols: Collection[str]) -> CompiledFormula:
+def compile_formula(latex: str, symbols: Collection[str]) -> CompiledFormula:
     r"""Parse a formula in the given `symbols`, in any spelling (``\mu_k``, ``mu_k``).
 
     Raises:
@@ -56,7 +56,7 @@ def compiled(latex: str, symbols: Collection[str]) -> CompiledFormula:
     """
     names = {name: canonical(name) for name in symbols}
     try:
-        tokens = statement(flattened(tokenize(spelled(latex.strip()), frozenset(names.values())))).value
+        tokens = statement(flatten(tokenize(normalize_spelling(latex.strip()), frozenset(names.values())))).value
         node, taken, _ = parse(tokens, unit_follows=False)
     except Refused as refused:
         raise ValueError(f"{latex!r}: {refused}") from refused
@@ -150,9 +150,9 @@ def _truth(
         ranges = {canonical(name): ends for name, ends in ranged}
         named = frozenset(canonical(name) for name in symbols) if symbols is not None else None
         table = frozenset(bindings[0]) if named is None and bindings else named
-        content = spelled(reference.strip())
-        tokens = statement(flattened(tokenize(content, table))).value
-        node, directions = _value_of(content, tokens)
+        content = normalize_spelling(reference.strip())
+        tokens = statement(flatten(tokenize(content, table))).value
+        node, directions = _parse_value(content, tokens)
     except (Refused, ValueError) as error:
         raise FormulaError(f"the reference {reference!r}: {error}") from error
     used = frozenset(token.text for token in tokens if token.kind == "symbol")
@@ -160,7 +160,7 @@ def _truth(
         raise FormulaError(f"the reference {reference!r} has a direction")
     if not used:
         value = arithmetic.value(node, {})
-        return _kept(reference, used, [] if value is None else [({}, value)])
+        return _freeze_truth(reference, used, [] if value is None else [({}, value)])
     table = used if table is None else table
     if any(table - binding.keys() for binding in bindings):
         raise FormulaError(f"the bindings for {reference!r} leave out a symbol")
@@ -174,13 +174,13 @@ def _truth(
             node, opposite_sign_points(node, table, bindings, 1.0 if True in signs else -1.0, reference)
         )
     if len(bindings) < POINTS:
-        return _kept(reference, table, [*given_points, *fresh])
+        return _freeze_truth(reference, table, [*given_points, *fresh])
     if not signed:  # where a magnitude comes out negative, its formula does not hold
         fresh = [(point, value) for point, value in fresh if value * given_points[0][1] > 0] if given_points else []
-    return _kept(reference, table, [*given_points, *fresh], firm=len(given_points))
+    return _freeze_truth(reference, table, [*given_points, *fresh], firm=len(given_points))
 
 
-def _kept(
+def _freeze_truth(
     reference: str, table: frozenset[str], values: list[tuple[Bindings, float]], firm: int | None = None
 ) -> _Truth:
     if not values:
@@ -189,13 +189,13 @@ def _kept(
     return _Truth(table, points, expected, len(values) if firm is None else firm)
 
 
-def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
+def _parse_value(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
     """Return the expression that the tokens spell, and the directions after it; an upright unit is ignored."""
     node, taken, refusal = parse(tokens, unit_follows=False)
     if taken == len(tokens):
         return node, ()
     rest = tokens[taken:]
-    name, remark_text = remarks.cut(balanced(content[rest[0].begin : rest[-1].finish]))
+    name, remark_text = remarks.cut(strip_unmatched_braces(content[rest[0].begin : rest[-1].finish]))
     remark = remarks.read(remark_text) if remark_text else None
     if remark is not None and remark.again:
         raise Refused(Outcome.UNREADABLE, f"{remark.again[0]!r} stands behind the formula")
@@ -211,16 +211,16 @@ def _refuse_all_but_units(name: str, rest: Sequence[Token], refusal: Refused | N
         shown = words[0].text if words else rest[0].text
         raise refusal or Refused(Outcome.UNREADABLE, f"{shown!r} is not among the symbols of the problem")
     try:
-        unit_in(name, None)
+        parse_answer_unit(name, None)
     except UnitError as error:
         raise refusal or Refused(Outcome.UNREADABLE, f"{name!r} after the value: {error}") from error
 
 
 def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Score:
     parsed = content.strip()
-    content = vectors_as_components(spelled(content.rstrip(" \t\n.")))
-    stated = statement(flattened(tokenize(content, truth.table)))
-    node, directions = _value_of(content, stated.value)
+    content = vectors_as_components(normalize_spelling(content.rstrip(" \t\n.")))
+    stated = statement(flatten(tokenize(content, truth.table)))
+    node, directions = _parse_value(content, stated.value)
     exact = _checked(content, stated, node, truth, tolerance)
     if stated.rounded and exact is not None:
         node = exact
@@ -253,8 +253,8 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
     if not stated.before and not stated.others:
         return None
     wanted = [arithmetic.value(node, point) for point in truth.points]
-    for side in map(unwrapped, stated.before):
-        last = _whole(side)
+    for side in map(unwrap, stated.before):
+        last = _parse_complete(side)
         if last is None:
             stated.refuse_unsolved(side)
             continue
@@ -262,7 +262,7 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
             shown = content[side[0].begin : side[-1].finish]
             raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the formula behind it")
     for side in stated.others:
-        if (other := _whole(side)) is not None and _differ(other, wanted, truth, tolerance):
+        if (other := _parse_complete(side)) is not None and _differ(other, wanted, truth, tolerance):
             raise two_values()
     return last
 
@@ -277,7 +277,7 @@ def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance
     )
 
 
-def _whole(side: Sequence[Token]) -> Node | None:
+def _parse_complete(side: Sequence[Token]) -> Node | None:
     """Return a side of an equation as an expression; None if it does not parse completely."""
     try:
         node, taken, _ = parse(side, unit_follows=False)

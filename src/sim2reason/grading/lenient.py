@@ -12,7 +12,7 @@ from sim2reason.grading.alphabet import HEDGES, SOFT_HEDGES
 from sim2reason.grading.extract import MAX_ANSWER, response_text
 from sim2reason.grading.labels import DENIALS
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.units import is_unit, unit_in
+from sim2reason.grading.units import is_unit, parse_answer_unit
 from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["last_quantity"]
@@ -137,7 +137,7 @@ def _unit_before_prose(tail: str) -> str | None:
     for count in range(min(MOST_WORDS, len(words)), 0, -1):
         unit = " ".join(words[:count]).rstrip(",;:*$")
         try:
-            unit_in(unit, None)
+            parse_answer_unit(unit, None)
         except UnitError:
             continue
         return unit if _is_prose(words[count:]) else None

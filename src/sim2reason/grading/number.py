@@ -9,22 +9,22 @@ from typing import NamedTuple
 from sim2reason.grading import arithmetic, labels, remarks
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.lenient import last_quantity
-from sim2reason.grading.number_units import may_be, smaller_part, unit_on_left
+from sim2reason.grading.number_units import find_left_unit, may_be, smaller_part
 from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Remark
 from sim2reason.grading.score import Outcome, Refused, Score
 from sim2reason.grading.sides import (
     Statement,
-    flattened,
+    flatten,
     is_signed,
     more_or_less,
     statement,
     two_values,
-    unwrapped,
+    unwrap,
 )
-from sim2reason.grading.spelling import balanced, spelled
+from sim2reason.grading.spelling import normalize_spelling, strip_unmatched_braces
 from sim2reason.grading.tokens import Token, tokenize
-from sim2reason.grading.units import unit_in
+from sim2reason.grading.units import parse_answer_unit
 from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["number", "unit_stated"]
@@ -125,10 +125,10 @@ def _answer(response: object, target_unit: Unit | None, *, lenient: bool) -> _Qu
 
 def _stated(content: str, target_unit: Unit | None) -> _Quantity:
     """Return the quantity after the last equals sign of an answer, if the sides before it agree with it."""
-    content = spelled(content.rstrip(" \t\n."))
+    content = normalize_spelling(content.rstrip(" \t\n."))
     part = _PART.match(content)
     content = content[part.end() :] if part is not None else content
-    stated = statement(flattened(tokenize(content, frozenset())))
+    stated = statement(flatten(tokenize(content, frozenset())))
     try:
         quantity = _quantity(content, stated.value, target_unit)
     except Refused as refused:
@@ -136,7 +136,7 @@ def _stated(content: str, target_unit: Unit | None) -> _Quantity:
             raise
         raise more_or_less(stated.doubt) from refused
     if quantity.unit is None:
-        quantity = quantity._replace(unit=unit_on_left(content, stated.before, target_unit))
+        quantity = quantity._replace(unit=find_left_unit(content, stated.before, target_unit))
     _check(content, stated, quantity, target_unit)
     return quantity
 
@@ -148,7 +148,7 @@ def _quantity(content: str, tokens: Sequence[Token], target_unit: Unit | None) -
         raise Refused(Outcome.WRONG, "the value is not a finite real number")
     unit, remark = None, _NO_REMARK
     if taken < len(tokens):
-        tail = balanced(content[tokens[taken].begin : tokens[-1].finish])
+        tail = strip_unmatched_braces(content[tokens[taken].begin : tokens[-1].finish])
         try:
             unit, remark = _behind(tail, target_unit, refusal)
         except Refused:
@@ -166,7 +166,7 @@ def _behind(tail: str, target_unit: Unit | None, refusal: Refused | None) -> tup
     if tail[0].isdigit() and not _RECIPROCAL.match(tail):
         raise refusal or Refused(Outcome.UNREADABLE, "two numbers stand side by side")
     try:
-        return unit_in(tail, target_unit), _NO_REMARK
+        return parse_answer_unit(tail, target_unit), _NO_REMARK
     except UnitError as error:
         problem = error
     name, remark_text = remarks.cut(tail)
@@ -175,7 +175,7 @@ def _behind(tail: str, target_unit: Unit | None, refusal: Refused | None) -> tup
     remark = remarks.read(remark_text)
     if not remarks.is_blank(name):
         try:
-            return unit_in(name, target_unit), remark
+            return parse_answer_unit(name, target_unit), remark
         except UnitError as error:
             raise Refused(Outcome.UNREADABLE, f"{name.strip()!r} after the value: {error}") from error
     return None, remark
@@ -183,7 +183,7 @@ def _behind(tail: str, target_unit: Unit | None, refusal: Refused | None) -> tup
 
 def _check(content: str, stated: Statement, quantity: _Quantity, target_unit: Unit | None) -> None:
     """Raise Refused if a side of the equation before the value has another value."""
-    for side in map(unwrapped, stated.before):
+    for side in map(unwrap, stated.before):
         shown = content[side[0].begin : side[-1].finish]
         try:
             claim = _claim(content, side, target_unit)
@@ -224,7 +224,7 @@ def _step(content: str, side: Sequence[Token], target_unit: Unit | None) -> _Qua
 def _check_again(quantity: _Quantity, signed: _Quantity, target_unit: Unit | None, positive: str) -> None:
     """Raise Refused if a remark after the value, as in *9.8 N (10 N)*, repeats it with another value."""
     for text in quantity.remark.again:
-        again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, target_unit)
+        again = _quantity(text, statement(flatten(tokenize(text, frozenset()))).value, target_unit)
         has_direction = again.remark.directions and not again.signed
         if has_direction and positive:
             agrees = _agree(again.signed_by(positive, below_zero=False), signed, target_unit)
@@ -266,8 +266,10 @@ def _agree(one: _Quantity, other: _Quantity, target_unit: Unit | None) -> bool:
     """Return whether two quantities are equal: bare numbers in either's unit, SI units or the requested unit."""
     if one.unit is not None and other.unit is not None:
         factor = one.unit.factor_to(other.unit)
-        return factor is not None and _near(one.value * factor, other.value)
-    return any(_near(mine, yours) for mine in _readings(one, target_unit) for yours in _readings(other, target_unit))
+        return factor is not None and _is_close(one.value * factor, other.value)
+    return any(
+        _is_close(mine, yours) for mine in _readings(one, target_unit) for yours in _readings(other, target_unit)
+    )
 
 
 def _readings(quantity: _Quantity, target_unit: Unit | None) -> list[float]:
@@ -277,7 +279,7 @@ def _readings(quantity: _Quantity, target_unit: Unit | None) -> list[float]:
     return [*readings, quantity.value * factor] if factor is not None else readings
 
 
-def _near(one: float, other: float) -> bool:
+def _is_close(one: float, other: float) -> bool:
     return abs(one - other) <= SIDES_RTOL * max(abs(one), abs(other))
 
 

@@ -13,14 +13,14 @@ from typing import Final
 from sim2reason.grading import arithmetic, labels
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.parser import parse
-from sim2reason.grading.remarks import printed
+from sim2reason.grading.remarks import printed_text
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.spelling import balanced
+from sim2reason.grading.spelling import strip_unmatched_braces
 from sim2reason.grading.tokens import Token
-from sim2reason.grading.units import unit_in
+from sim2reason.grading.units import parse_answer_unit
 from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
-__all__ = ["may_be", "smaller_part", "unit_on_left"]
+__all__ = ["find_left_unit", "may_be", "smaller_part"]
 
 SIXTY: Final = 60  # minutes in a degree, and seconds in a minute
 
@@ -44,7 +44,7 @@ def smaller_part(amount: str, tail: str, target_unit: Unit | None) -> tuple[Unit
         return None
     if arc := _ARC.fullmatch(re.sub(r"\\[ ,;:!]", " ", tail)):
         return _of_arc(arc)
-    match = _PARTS.fullmatch(printed(tail))
+    match = _PARTS.fullmatch(printed_text(tail))
     if match is None:
         return None
     parts = _PART.findall(match["rest"])
@@ -54,7 +54,7 @@ def smaller_part(amount: str, tail: str, target_unit: Unit | None) -> tuple[Unit
 def _added(first_unit: str, parts: list[tuple[str, str]], target_unit: Unit | None) -> tuple[Unit, float] | None:
     """Return the first unit and the sum of the smaller parts in that unit; None if a part is not smaller than one."""
     try:
-        unit, *smaller = [unit_in(word, target_unit) for word in (first_unit, *(word for _, word in parts))]
+        unit, *smaller = [parse_answer_unit(word, target_unit) for word in (first_unit, *(word for _, word in parts))]
     except UnitError:
         return None
     total, last = 0.0, 1.0
@@ -78,14 +78,14 @@ _BEHIND: Final = frozenset({"of", "for", "at", "on"})  # words that may follow a
 _LONGEST: Final = 16  # tokens of a unit
 
 
-def unit_on_left(content: str, sides: Iterable[Sequence[Token]], target_unit: Unit | None) -> Unit | None:
+def find_left_unit(content: str, sides: Iterable[Sequence[Token]], target_unit: Unit | None) -> Unit | None:
     """Return the unit stated before the equals sign for a value without one; Refused if two are stated."""
     stated_unit: Unit | None = None
     for side in sides:
         for tokens in _candidates(content, side):
-            text = balanced(content[tokens[0].begin : tokens[-1].finish])
+            text = strip_unmatched_braces(content[tokens[0].begin : tokens[-1].finish])
             try:
-                unit = unit_in(text, target_unit)
+                unit = parse_answer_unit(text, target_unit)
             except UnitError:
                 continue
             if text in _LABELS and (target_unit is None or unit.factor_to(target_unit) is None):
@@ -103,12 +103,12 @@ def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]
     named = False
     for at, token in enumerate(side):
         if token.kind == "open" and token.text in "([":
-            inside = _until_closed(side, at + 1)
+            inside = _take_until_closed(side, at + 1)
             slashed = any(piece.kind == "slash" for piece in inside)
             if inside and (token.text == "[" or slashed or inside[0].upright):
                 yield inside
         elif token.kind == "word" and token.text == "in":
-            rest = _until_closed(side, at + 1)
+            rest = _take_until_closed(side, at + 1)
             end = next((n for n, word in enumerate(rest) if word.text in _BEHIND), len(rest))
             if end:
                 yield rest[:end]
@@ -118,7 +118,7 @@ def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]
         named = named or (not token.upright and bool(labels.names([token])) and not labels.is_change(token))
 
 
-def _until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
+def _take_until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
     depth = 0
     for at in range(start, min(len(side), start + _LONGEST)):
         depth += (side[at].kind == "open") - (side[at].kind == "close")

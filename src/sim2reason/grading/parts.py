@@ -7,15 +7,15 @@ from typing import Final
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.score import Outcome, Refused, Score
 
-__all__ = ["LABELS", "parts"]
+__all__ = ["PART_LABELS", "parts"]
 
-LABELS: Final = "abcdefgh"
+PART_LABELS: Final = "abcdefgh"
 """The letters of parts, in their order."""
 
 _FONT: Final = r"\\(?:text|textbf|textrm|textit|mathrm|mathbf|mathit|mathsf|mbox)\s*\{"
-_PLAIN: Final = rf"\(\s*([{LABELS}])\s*\)\s*[:.]?"
+_PLAIN: Final = rf"\(\s*([{PART_LABELS}])\s*\)\s*[:.]?"
 _LABEL: Final = re.compile(_PLAIN)
-_INNER: Final = re.compile(rf"\(\s*{_FONT}\s*([{LABELS}])\s*\}}\s*\)")
+_INNER: Final = re.compile(rf"\(\s*{_FONT}\s*([{PART_LABELS}])\s*\}}\s*\)")
 """A label whose letter alone is in a font."""
 _RUN: Final = re.compile(rf"({_FONT})([^{{}}]*)\}}")
 """A text in a font, without groups in it."""
@@ -42,7 +42,7 @@ def parts(response: object, graders: Sequence[Grader], *, partial: bool = False)
         graders: one for each part, in the order of their labels.
         partial: pay the share of the right parts; by default nothing is paid unless all are right.
     """
-    labels = LABELS[: len(graders)]
+    labels = PART_LABELS[: len(graders)]
     try:
         answers = _answers(boxed(response), labels)
     except Refused as refused:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from sim2reason.grading.alphabet import COMMANDS, SIGNS, SPACES, either
+from sim2reason.grading.alphabet import COMMANDS, SIGNS, SPACES, alternatives_pattern
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.units import is_unit
 
@@ -20,14 +20,14 @@ __all__ = [
     "Remark",
     "begins",
     "cut",
-    "direction_of",
+    "find_direction",
     "is_blank",
-    "printed",
+    "printed_text",
     "read",
     "sign_for",
 ]
 
-_WAYS: Final[dict[str, tuple[str, int]]] = {
+_DIRECTION_WORDS: Final[dict[str, tuple[str, int]]] = {
     word: (axis, sign)
     for axis, ahead, back in (
         ("up", "up upward upwards uphill upslope", "down downward downwards downhill downslope"),
@@ -66,18 +66,20 @@ _BETWEEN: Final = """
     acting moving going sense relative respect parallel perpendicular side both is it this that which
     straight given value component due
 """
-_CONTENT: Final = frozenset(_THINGS.split()) | APPROXIMATELY | _WAYS.keys() | _AXES.keys()
+_CONTENT: Final = frozenset(_THINGS.split()) | APPROXIMATELY | _DIRECTION_WORDS.keys() | _AXES.keys()
 _FILLERS: Final = frozenset(_BETWEEN.split())
 _WORDS: Final = _CONTENT | _FILLERS
 STARTERS: Final = _WORDS | {"counter", "anti"} - {"is", "it", "this", "that", "which", "value"}
 _ALTERNATIVES: Final = frozenset({"or", "and", "either", "not"})
 
 _BREAK: Final = re.compile(
-    rf"(?P<comma>(?<!\\)[,;])|(?P<bracket>[(\[])|(?P<arrow>\\(?:{either('arrow')})(?![A-Za-z])|[→←↑↓])"
+    rf"(?P<comma>(?<!\\)[,;])|(?P<bracket>[(\[])|(?P<arrow>\\(?:{alternatives_pattern('arrow')})(?![A-Za-z])|[→←↑↓])"
     r"|(?P<word>(?<![\\A-Za-z])[A-Za-z]{2,})"
 )
-_WRAPPER: Final = re.compile(rf"\\(?:{either('open', '{')}|{'|'.join(SPACES)})(?![A-Za-z])|[{{}}$~]|\\[ ,;:!>]")
-_ARROWS: Final = re.compile(rf"\\({either('arrow')})(?![A-Za-z])|([→←↑↓])")
+_WRAPPER: Final = re.compile(
+    rf"\\(?:{alternatives_pattern('open', '{')}|{'|'.join(SPACES)})(?![A-Za-z])|[{{}}$~]|\\[ ,;:!>]"
+)
+_ARROWS: Final = re.compile(rf"\\({alternatives_pattern('arrow')})(?![A-Za-z])|([→←↑↓])")
 _COUNT: Final = r"(?:[0-9]{1,2}|one|two|three|four|five|six)"
 _ACCURACY: Final = re.compile(
     rf"(?:(?:rounded|correct|given|accurate)\s+)?(?:to\s+)?{_COUNT}[\s-]*(?:s\.?\s?f\.?|sig(?:nificant)?\.?[\s-]*"
@@ -131,7 +133,7 @@ def cut(tail: str) -> tuple[str, str]:
 
 def _remarks(inside: str) -> bool:
     """Return whether a bracket contains a remark and no unit."""
-    plain = printed(inside).lstrip()
+    plain = printed_text(inside).lstrip()
     word = re.match(r"[A-Za-zµΩ]+|[-−+≈=0-9]|\\approx", plain)
     if word is None or plain.startswith("1/"):
         return False
@@ -140,10 +142,10 @@ def _remarks(inside: str) -> bool:
 
 def is_blank(text: str) -> bool:
     """Return whether a text is empty without its braces, spaces and full stops."""
-    return not printed(text).strip(" \t\n.")
+    return not printed_text(text).strip(" \t\n.")
 
 
-def printed(text: str) -> str:
+def printed_text(text: str) -> str:
     """Return a text with invisible commands and signs replaced by spaces."""
     return _WRAPPER.sub(" ", text)
 
@@ -156,7 +158,7 @@ def read(text: str) -> Remark:
     directions: list[Direction] = []
     again: list[str] = []
     for bracket, piece in _pieces(text):
-        plain = printed(piece).strip(" \t\n.:")
+        plain = printed_text(piece).strip(" \t\n.:")
         if not plain:
             continue
         if bracket and re.match(r"[-−+0-9\\.]", bare := _AGAIN.sub("", plain, count=1)) and not _accuracy(plain):
@@ -195,11 +197,11 @@ def _directions(plain: str) -> list[Direction]:
         raise Refused(
             Outcome.UNREADABLE, f"{shown!r} after the value is neither a unit nor a remark that is known here"
         )
-    return [Direction(*_WAYS[word]) for word in words if word in _WAYS]
+    return [Direction(*_DIRECTION_WORDS[word]) for word in words if word in _DIRECTION_WORDS]
 
 
 def _lowered(plain: str) -> list[str]:
-    """Return the words of a phrase in lower case, with directions as keys of `_WAYS` and axes as *x-axis*."""
+    """Return the words of a phrase in lower case, with directions as keys of `_DIRECTION_WORDS` and axes as *x-axis*."""
     lowered = _ARROWS.sub(lambda arrow: f" {(COMMANDS[arrow[1]] if arrow[1] else SIGNS[arrow[2]])[1]} ", plain).lower()
     lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
     lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)
@@ -207,10 +209,12 @@ def _lowered(plain: str) -> list[str]:
     return [word for word in words if word.strip("-")]
 
 
-def direction_of(text: str) -> Direction | None:
+def find_direction(text: str) -> Direction | None:
     """Return the only direction in a text; None if there is none, or more than one."""
-    words = _lowered(printed(text))
-    directions = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
+    words = _lowered(printed_text(text))
+    directions = {_DIRECTION_WORDS[word] for word in words if word in _DIRECTION_WORDS} | {
+        _AXES[word] for word in words if word in _AXES
+    }
     return Direction(*directions.pop()) if len(directions) == 1 else None
 
 
@@ -227,7 +231,7 @@ def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, b
 
 def _sign_of(directions: Sequence[Direction], positive: str) -> int:
     """Return the sign of a magnitude with a stated direction, given the positive direction; Refused if undefined."""
-    sense = direction_of(positive)
+    sense = find_direction(positive)
     signs: set[int] = set()
     for direction in directions:
         if positive and direction.axis == "any":  # the positive or negative one, whichever that is

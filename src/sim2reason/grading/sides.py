@@ -14,7 +14,7 @@ from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 
-__all__ = ["Statement", "flattened", "is_signed", "more_or_less", "statement", "two_values", "unwrapped"]
+__all__ = ["Statement", "flatten", "is_signed", "more_or_less", "statement", "two_values", "unwrap"]
 
 _NO_NAME: Final = frozenset({"number", "symbol", "fraction", "root", "function"})  # of what has no value here
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
@@ -55,14 +55,14 @@ def statement(tokens: Tokens) -> Statement:
     Raises `Refused`: wrong for hedges (a list, a range, ±, "or", an inequality), unreadable if nothing or too much
     remains as the value.
     """
-    tokens = unwrapped(tokens)
+    tokens = unwrap(tokens)
     kinds = {token.kind for token in tokens}
     if not tokens:
         raise _unreadable("there is nothing in the box that could be a value")
     if "hedge" in kinds:
         _refuse_hedges(tokens)
     if tokens[0].kind == "word":
-        tokens = _said(tokens)
+        tokens = _without_hedge(tokens)
     elif kinds.isdisjoint(_SPECIAL):
         return Statement(tokens)
     parts = _parts(tokens)
@@ -95,7 +95,7 @@ def _refuse_hedges(tokens: Tokens) -> None:
             raise more_or_less(token)
 
 
-def _said(tokens: Tokens) -> Tokens:
+def _without_hedge(tokens: Tokens) -> Tokens:
     """Return the tokens of a statement without an initial word for *approximately*."""
     if tokens[0].text.lower() in remarks.APPROXIMATELY:
         skip = 2 if len(tokens) > 1 and tokens[1].kind == "stop" else 1
@@ -160,7 +160,7 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
     relations: list[Token] = []
     depth = 0
     seen_kinds: set[str] = set()  # a name ends at the first colon or the first verb, or at none: so this stays linear
-    for token in unwrapped(tokens):
+    for token in unwrap(tokens):
         kind = token.kind
         depth += (kind == "open") - (kind == "close")
         says = kind == "colon" or (kind == "word" and token.text.lower() in _SAYS)
@@ -197,7 +197,7 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
     named = next((at for at, side in enumerate(sides) if labels.is_bare(side)), None)
     if not implied or named is None:
         return []
-    rest = [unwrapped(side) for at, side in enumerate(sides) if at != named and side]
+    rest = [unwrap(side) for at, side in enumerate(sides) if at != named and side]
     solved = any(not labels.is_bare(side) and not mine.isdisjoint(labels.names(side)) for side in rest)
     return [] if solved else rest
 
@@ -206,12 +206,12 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     """Return the equation with its last side as the value; Refused if the earlier sides make that doubtful."""
     if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
         sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
-    value = unwrapped(sides[-1])
+    value = unwrap(sides[-1])
     if not value:
         raise _unreadable("nothing stands behind the last sign of equality")
     if value[0].kind == "word":
-        value = _said(value)
-    named = [side for side in (unwrapped(side) for side in sides[:-1]) if side]
+        value = _without_hedge(value)
+    named = [side for side in (unwrap(side) for side in sides[:-1]) if side]
     if named and relations[-1].text == "~" and labels.has_numbers(named[-1]):
         raise Refused(Outcome.WRONG, "a range is not one value")
     labels.check(named)
@@ -238,7 +238,7 @@ def is_signed(tokens: Sequence[Token]) -> bool:
     return first is not None and first.kind in {"plus", "minus", "dash"}
 
 
-def flattened(tokens: Tokens) -> Tokens:
+def flatten(tokens: Tokens) -> Tokens:
     r"""Return the tokens without the invisible braces of ``\text{…}`` and similar, except around arguments."""
     kept: Tokens = []
     stack: list[tuple[str, bool]] = []  # for each open group, what closes it, and whether it is kept
@@ -261,7 +261,7 @@ def flattened(tokens: Tokens) -> Tokens:
     return kept
 
 
-def unwrapped(tokens: Tokens) -> Tokens:
+def unwrap(tokens: Tokens) -> Tokens:
     """Return the tokens without groups that enclose all of them: braces, parentheses, font commands."""
     if not tokens or tokens[0].kind != "open" or tokens[-1].kind != "close":
         return tokens

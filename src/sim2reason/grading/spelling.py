@@ -7,11 +7,17 @@ that define symbols do not change the value. Most answers are returned unchanged
 import re
 from typing import Final
 
-from sim2reason.grading.alphabet import HIDING, LAYOUT, either
+from sim2reason.grading.alphabet import HIDING, LAYOUT, alternatives_pattern
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.units import expanded
+from sim2reason.grading.units import expand_siunitx
 
-__all__ = ["balanced", "spelled", "vector_as_direction", "vectors_as_components", "without_meanings"]
+__all__ = [
+    "normalize_spelling",
+    "strip_meanings",
+    "strip_unmatched_braces",
+    "vector_as_direction",
+    "vectors_as_components",
+]
 
 _FONT: Final = r"\\(?:text|textbf|textit|mathrm|mathbf|mathit|boldsymbol|bm|vec|hat|widehat|overrightarrow)"
 _LETTER: Final = r"(?:\\[ij]math(?![A-Za-z])|[ijkxyz])"
@@ -73,7 +79,7 @@ def vectors_as_components(content: str) -> str:
     return _ARROWED.sub(lambda match: f"{match['braced'] or match['bare']} ", content)
 
 
-def without_meanings(content: str) -> str:
+def strip_meanings(content: str) -> str:
     """Remove a clause that only defines symbols of an answer, such as *where v is the speed of A*.
 
     A clause with a number, a relation or a word that could change the value remains, and the answer is refused.
@@ -110,7 +116,9 @@ _TRIGGER: Final = re.compile(
 )
 _ALIGNED: Final = r"(?:aligned|align\*?|gathered|gather\*?|equation\*?|split|displaymath|math)"
 _DOTS: Final = r"(?:\\[lc]?dots[cbmio]?(?![A-Za-z])|\.{3}|…)"
-_RELATION: Final = rf"(?==|≈|\\(?:{either('relation', '=')}|{either('relation', '≈')})(?![A-Za-z]))"
+_RELATION: Final = (
+    rf"(?==|≈|\\(?:{alternatives_pattern('relation', '=')}|{alternatives_pattern('relation', '≈')})(?![A-Za-z]))"
+)
 _DECIMAL_COMMA: Final = (  # of one number that it can't part into thousands
     r"(?<![0-9.])(?<![^\\],)(?<!\{,\})([0-9]+)\{,\}([0-9]{1,2}|[0-9]{4,}|(?<=(?<![0-9])0\{,\})[0-9]{3})(?![0-9.]|\{?,)"
 )
@@ -137,7 +145,7 @@ _REWRITTEN: Final = tuple(
         (r"[º˚]|\\textdegree(?![A-Za-z])", "°"),
         (r"(?<=[0-9})])\s*\^\s*\{?\s*(?:\\(?:text|mathrm)\s*\{\s*)?o\s*\}{0,2}(?![A-Za-z])", "°"),
         (rf"([0-9]\.[0-9]+)\s*{_DOTS}(?!\s*[0-9.])", r"\1"),
-        (rf"\\(?:{either('open', '{')})\s*\{{\s*\}}", " "),
+        (rf"\\(?:{alternatives_pattern('open', '{')})\s*\{{\s*\}}", " "),
         (r"(?<![A-Za-z])\{\s*\}", ""),
         (r"(?<![A-Za-z^_])\{\s*([-−+=]|\\cdot|\\times)\s*\}", r"\1 "),
     )
@@ -154,14 +162,14 @@ _BOLD: Final = re.compile(r"\*\*(?=\s*(?:\Z|[,;.:)=≈]|\\|[A-Za-z]))")
 DIGITS: Final = 18  # of a repeating decimal, enough for a float
 
 
-def spelled(content: str) -> str:
+def normalize_spelling(content: str) -> str:
     """Return an answer in the notation that the tokenizer reads; raise Refused for commands that hide text."""
     if _TRIGGER.search(content) is None:
         return content
     if hiding := _HIDING.search(content):
         raise Refused(Outcome.UNREADABLE, f"{hiding[0]} hides a part of the answer")
-    content = expanded(content) if "\\" in content else content
-    content = _unmarked(without_meanings(content))
+    content = expand_siunitx(content) if "\\" in content else content
+    content = _unmarked(strip_meanings(content))
     content = vector_as_direction(content) if "\\" in content else content
     for pattern, replacement in _REWRITTEN:
         content = pattern.sub(replacement, content)
@@ -169,7 +177,7 @@ def spelled(content: str) -> str:
     return _REPEATING.sub(_repeated, content) if "." in content else content
 
 
-def balanced(text: str) -> str:
+def strip_unmatched_braces(text: str) -> str:
     """Return a piece of an answer without unmatched braces."""
     if "}" not in text:
         return text

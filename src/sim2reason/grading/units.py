@@ -14,11 +14,11 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Final
 
-from sim2reason.grading.alphabet import SCRIPTS, SWITCHES, either
+from sim2reason.grading.alphabet import SCRIPTS, SWITCHES, alternatives_pattern
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.scenes.dsl.units import Unit, UnitError, combined, parse_unit
 
-__all__ = ["FURTHER", "expanded", "is_unit", "unit_in"]
+__all__ = ["FURTHER", "expand_siunitx", "is_unit", "parse_answer_unit"]
 
 _ENTRIES: Final = (  # symbol, further spellings, size, and the unit of our table that it is in
     ("ft", "foot feet", 0.3048, "m"),
@@ -48,7 +48,7 @@ FURTHER: Final[dict[str, Unit]] = {
 """Each by all words that spell it."""
 
 
-_WRAPPERS: Final = rf"\\(?:{either('open', '{')}|operatorname\*)\s*(?=\{{)"
+_WRAPPERS: Final = rf"\\(?:{alternatives_pattern('open', '{')}|operatorname\*)\s*(?=\{{)"
 _SUN: Final = r"(?:\\odot(?![A-Za-z])|\\(?:text|rm)\s*\{?\s*[sS]un\s*\}?|[sS]un)"
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
@@ -59,8 +59,8 @@ _REWRITTEN: Final = tuple(
         (rf"\\(?:{'|'.join((*SWITCHES, 'middle'))})(?![A-Za-z])", " "),
         (r"(?:\^|\*\*)\s*(?:\{\s*)?\\(?:text|mathrm)\s*\{\s*([-−–+]?[0-9])\s*\}(?:\s*\})?", r"^{\1}"),
         (r"(?:\^|\*\*)\s*\(\s*([-−–+]?[0-9])\s*\)", r"^{\1}"),
-        (rf"[•∙]|\\(?:{either('times')})(?![A-Za-z])", "·"),
-        (rf"\\(?:{either('fraction')})(?![A-Za-z])", r"\\frac"),
+        (rf"[•∙]|\\(?:{alternatives_pattern('times')})(?![A-Za-z])", "·"),
+        (rf"\\(?:{alternatives_pattern('fraction')})(?![A-Za-z])", r"\\frac"),
         (r"\{([^{}]{1,40})\\over(?![A-Za-z])([^{}]{1,40})\}", r"\\frac{\1}{\2}"),
         (r"(?:\\left\s*|\\big[lr]?\s*)?\[", "("),
         (r"(?:\\right\s*|\\big[lr]?\s*)?\]", ")"),
@@ -84,7 +84,7 @@ _SPLIT: Final = re.compile(r"(?<![A-Za-z\\])(kg|k?N|k?J|g)?(m)?(s)(?![A-Za-z])|(
 
 
 @lru_cache(maxsize=1024)
-def unit_in(text: str, asked: Unit | None) -> Unit:
+def parse_answer_unit(text: str, asked: Unit | None) -> Unit:
     """Return the unit that `text` denotes; if ambiguous, the one comparable with `asked`.
 
     Raises `UnitError` if it is not a unit.
@@ -135,7 +135,7 @@ def _read(text: str) -> Unit:
 def is_unit(text: str) -> bool:
     """Return whether `text` is a unit."""
     try:
-        unit_in(text, None)
+        parse_answer_unit(text, None)
     except UnitError:
         return False
     return True
@@ -165,7 +165,7 @@ _SYMBOLS: Final = dict(zip(_LONG.split(), _SHORT.split(), strict=True)) | {"elec
 _NAMED: Final = {"degree": "deg", "percent": "%", "degreeCelsius": "°C", "celsius": "°C", "astronomicalunit": "au"}
 
 
-def expanded(content: str) -> str:
+def expand_siunitx(content: str) -> str:
     """Return `content` with siunitx commands expanded; Refused (unreadable) for commas or uncertainties."""
     if _CALLED.search(content) is None:
         return content
@@ -232,13 +232,13 @@ class _Unit:
     def macro(self, name: str, argument: str) -> None:
         takes = name in {"raiseto", "tothe"}
         if takes != bool(argument):
-            raise _misplaced(rf"\{name}{{{argument}}}")
+            raise _misplaced_error(rf"\{name}{{{argument}}}")
         if name in _RAISED_AFTER or name == "tothe":
             self.raise_last(_RAISED_AFTER.get(name, argument))
         elif name == "per" or name in _PREFIXES or name in _RAISED_BEFORE or takes:
             twice = self.divides if name == "per" else self.power if name not in _PREFIXES else ""
             if self.prefix or twice:
-                raise _misplaced(rf"\{name}")
+                raise _misplaced_error(rf"\{name}")
             self.divides = self.divides or name == "per"
             self.prefix = _PREFIXES.get(name, "")
             self.power = _RAISED_BEFORE.get(name, argument) or self.power
@@ -256,23 +256,23 @@ class _Unit:
         self.refuse_pending("before a power")
         last = self.factors[-1] if self.factors else "?"
         if power and not (last[-1].isalpha() or last.endswith("^{-1}")):
-            raise _misplaced(f"the power {power}")
+            raise _misplaced_error(f"the power {power}")
         self.factors[-1] = _powered(last, power)
 
     def separate(self, sign: str) -> None:
         """Add a separator between two units, such as a dot or slash."""
         if "\\" in sign.replace(r"\%", ""):
-            raise _misplaced("a backslash")
+            raise _misplaced_error("a backslash")
         if sign.strip():
             self.refuse_pending(f"before {sign.strip()!r}")
             self.factors.append(sign.strip().replace(".", "·").replace("~", "·"))
 
     def refuse_pending(self, where: str) -> None:
         if self.prefix or self.power or self.divides:
-            raise _misplaced(f"a prefix, a power or a division {where}")
+            raise _misplaced_error(f"a prefix, a power or a division {where}")
 
 
-def _misplaced(what: str) -> Refused:
+def _misplaced_error(what: str) -> Refused:
     return Refused(Outcome.UNREADABLE, f"{what} cannot be placed in a unit")
 
 
@@ -282,8 +282,8 @@ def _prefixed(prefix: str, word: str) -> str:
         if parse_unit(prefix + word).dimension == parse_unit(word).dimension:
             return prefix + word
     except UnitError as error:
-        raise _misplaced(f"the prefix of {word!r}") from error
-    raise _misplaced(f"the prefix of {word!r}")
+        raise _misplaced_error(f"the prefix of {word!r}") from error
+    raise _misplaced_error(f"the prefix of {word!r}")
 
 
 def _powered(factor: str, power: str) -> str:

@@ -20,7 +20,7 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.text.prose.description import Description, with_names
-from sim2reason.text.prose.voices import hiding
+from sim2reason.text.prose.voices import symbolic_at
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +92,7 @@ Suits = Callable[[Query, str, StatedResult | None], bool]
 """Whether a query may be asked, or the unknown number at an address for which it has a stated result."""
 
 
-def anything(query: Query, unknown: str = "", stated: StatedResult | None = None) -> bool:
+def accepts_any_query(query: Query, unknown: str = "", stated: StatedResult | None = None) -> bool:
     """Return True for any query."""
     del query, unknown, stated
     return True
@@ -125,7 +125,7 @@ class QuestionMode(ABC):
 
     @abstractmethod
     def ask(
-        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = accepts_any_query
     ) -> Question | None:
         """Return a question about a motion that passes the predicate `suits`; None if the mode finds none.
 
@@ -150,7 +150,7 @@ class QuestionMode(ABC):
     def described(self, question: Question, description: Description) -> Description:
         """Return the text of the scene for a question; by default with symbols for the numbers that it leaves open."""
         left_open = question.left_open
-        return with_names(description.voiced(hiding(*left_open))) if left_open else description
+        return with_names(description.voiced(symbolic_at(*left_open))) if left_open else description
 
     @abstractmethod
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
@@ -207,6 +207,6 @@ __all__ = [
     "Suits",
     "Target",
     "Words",
-    "anything",
+    "accepts_any_query",
     "mode",
 ]

@@ -47,7 +47,7 @@ class StatedResult:
         return cls(f"{round(value, places):.{max(0, places)}f}".replace("-", MINUS), unit)
 
     @classmethod
-    def found(cls, text: str, unit: str) -> Iterator[Self]:
+    def find_in_text(cls, text: str, unit: str) -> Iterator[Self]:
         """Return all numbers with a given unit in a text."""
         return (cls(number, unit) for number in _number(unit).findall(text))
 
@@ -63,7 +63,7 @@ class StatedResult:
         return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(integer_part) - 3))
 
     @property
-    def said(self) -> str:
+    def text(self) -> str:
         """Return the number with its unit."""
         return join_unit(self.digits, self.unit)
 
@@ -88,9 +88,9 @@ def certification_gap(
     if time >= certificate.stable_until and time > 0.0 and not (at_event and _seen_by_both(certificate, time)):
         return certificate.reason or "the moment comes after the certified stretch"
     for channel in moment.channels if moment is not None else ():
-        if not _agreed(certificate, channel, time, at_event=at_event):
+        if not _engines_agree(certificate, channel, time, at_event=at_event):
             return f"the engines disagree on the {channel.quantity} that the moment hangs on"
-    agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in channels)
+    agreed = all(_engines_agree(certificate, channel, time, at_event=at_event) for channel in channels)
     return "" if agreed else "the engines disagree on what is asked"
 
 
@@ -99,7 +99,7 @@ def _seen_by_both(certificate: Certificate, time: float) -> bool:
     return any(match.event.time == time for match in certificate.matched)
 
 
-def _agreed(certificate: Certificate, channel: Channel, time: float, *, at_event: bool) -> bool:
+def _engines_agree(certificate: Certificate, channel: Channel, time: float, *, at_event: bool) -> bool:
     """Return whether both engines agree on a channel up to a time, s; samples at an event itself are not compared."""
     if not at_event:
         return certificate.covers(channel, time)

@@ -11,7 +11,7 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.structure import bending, changing
+from sim2reason.scenes.dsl.structure import changing, rotating_line
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.trace import EVENT_TIME_RTOL, Event, Trace
 
@@ -74,15 +74,15 @@ def _changes_something(event: Event) -> bool:
 
 CROSSINGS = "enter", "exit"
 EVENT_CLEARANCE = 1e-3  # of the duration: least distance of a question's time from events
-SPRUNG = 2  # maximum number of bodies on springs whose oscillation has a short formula of time
-LEVEL = 1e-9  # least horizontal component of an axle's direction that is not vertical
+MAX_SPRING_BODIES = 2  # maximum number of bodies on springs whose oscillation has a short formula of time
+MIN_HORIZONTAL_COMPONENT = 1e-9  # least horizontal component of an axle's direction that is not vertical
 REST_SPEED_RTOL, SPEED_NOISE_RTOL = (
     1e-7,
     1e-9,
 )  # of the subject's own and of the overall greatest speed: a lower speed is rest
 
 
-def pick(
+def draw_target(
     targets: Iterable[Target], rng: np.random.Generator, worth: Callable[[Target], bool] = lambda _: True
 ) -> Target | None:
     """Return a random target worth asking for, weighted by the weights of quantities; None if there is none."""
@@ -127,7 +127,7 @@ def data_relevant_from(trace: Trace) -> float:
     if any(force.region is not None for force in mechanism.forces):
         waits.append(next((event.time for event in trace.events if event.kind in CROSSINGS), inf))
     slack = next((event for event in trace.events if event.kind == "slack"), None)
-    if slack is not None and bending(mechanism.line[slack.subjects[0]], initial_frames(mechanism)):
+    if slack is not None and rotating_line(mechanism.line[slack.subjects[0]], initial_frames(mechanism)):
         waits.append(slack.time)
     return max(waits, default=0.0)
 
@@ -155,11 +155,11 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
     coordinates = mechanism.coordinates
     if mechanism.burns or mechanism.forces or not changing(mechanism):
         return True
-    swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)
-    if len(coordinates) > SPRUNG or mechanism.attractions or swings:
+    swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > MIN_HORIZONTAL_COMPONENT for one in coordinates)
+    if len(coordinates) > MAX_SPRING_BODIES or mechanism.attractions or swings:
         return False
     frames = initial_frames(mechanism)
-    return not any(bending(line, frames) for line in mechanism.lines)
+    return not any(rotating_line(line, frames) for line in mechanism.lines)
 
 
 def only_falls(mechanism: Mechanism) -> bool:
@@ -169,7 +169,7 @@ def only_falls(mechanism: Mechanism) -> bool:
 
 
 DISTINCT_RTOL = 2e-3  # relative: values that differ by less agree in three digits
-JUMP = 1e-5  # relative: least change of a value across an event that is a jump
+JUMP_RTOL = 1e-5  # relative: least change of a value across an event that is a jump
 
 
 def is_worth_asking_at(study: SimulatedScene, moment: Moment) -> Callable[[Target], bool]:
@@ -194,7 +194,7 @@ def is_worth_asking_at(study: SimulatedScene, moment: Moment) -> Callable[[Targe
             for known_value in (*known, *(-number for number in known[1:]))
         ):
             return False
-        if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):
+        if any(abs(value - target.value(side)) > JUMP_RTOL * abs(value) for side in sides):
             return False
         return depends_on_moment(moment, trace, time, lambda times: target.values(trace.sample(times)))
 

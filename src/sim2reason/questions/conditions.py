@@ -18,7 +18,7 @@ DIP = 3  # parabolic guesses for a minimum of the difference between answer and 
 SHALLOW = 0.3  # of the smallest known difference: a parabolic guess above this fraction is not evaluated
 NEAR_MARGINS = 10.0  # smallest significant differences: only nearer answers are recomputed, and searched for kinks
 KINK = 10  # halvings near a minimum that is a kink
-EDGE = 0.01  # relative: distance from the root at which a missing answer is tested
+EDGE_RTOL = 0.01  # relative: distance from the root at which a missing answer is tested
 BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
 UNEVEN = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval
 FINER = 3  # refinements of uneven intervals
@@ -45,7 +45,7 @@ class UniquenessScan:
         self._scale = margin if rate is not None and rate > 0.0 else -margin
         self._known: dict[float, float | None] = {}
 
-    def another(self, values: Sequence[float]) -> float | None:
+    def find_other_root(self, values: Sequence[float]) -> float | None:
         """Return a number whose answer may equal the given result or be on its unexpected side; None if there is none.
 
         A number whose answer may lie beyond the end of the simulation counts as well. Candidates are all `values`,
@@ -53,26 +53,26 @@ class UniquenessScan:
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
 
-    def edge(self, values: Sequence[float]) -> float | None:
+    def find_missing_answer(self, values: Sequence[float]) -> float | None:
         """Return a number next to the known root, within `values`, for which there is no answer; else None."""
-        beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
+        beside = sorted(self._root + side * EDGE_RTOL * abs(self._root) for side in (-1.0, 1.0))
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
-    def far(self, values: Sequence[float]) -> float | None:
+    def find_distant_root(self, values: Sequence[float]) -> float | None:
         """Return one of the distant `values` whose answer is close to the given result or past that result; else None.
 
         Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """
-        clear = ((at, self._clear(at)) for at in values)
+        clear = ((at, self._scaled_distance(at)) for at in values)
         return next((at for at, by in clear if by is not None and by <= 1.0), None)
 
-    def end(self, values: Sequence[float]) -> float | None:
+    def find_extrapolated_root(self, values: Sequence[float]) -> float | None:
         """Return an end of the range of `values` beyond which extrapolation suggests another root; None if neither.
 
         No text states the end of the range, and a reader who searches a little farther finds that root, too.
         """
         for last, before in ((values[0], values[1]), (values[-1], values[-2])):
-            here, inside = self._clear(last), self._clear(before)
+            here, inside = self._scaled_distance(last), self._scaled_distance(before)
             if here is not None and inside is not None and isfinite(inside) and here <= BEHIND * (inside - here):
                 return last
         return None
@@ -131,20 +131,22 @@ class UniquenessScan:
         return abs(at - self._root) > ROOT_RTOL * abs(self._root)
 
     def _could_be(self, at: float) -> bool:
-        clear = self._clear(at)
+        clear = self._scaled_distance(at)
         return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
-    def _clear(self, at: float) -> float | None:
+    def _scaled_distance(self, at: float) -> float | None:
         """Return the answer for a number less the given result, in units of the smallest significant difference.
 
         It is positive on the correct side of the result. None without an answer.
         """
         if at not in self._known:
-            clear = self._beyond(at, self._coarse(at))
-            self._known[at] = clear if clear is None or clear > NEAR_MARGINS else self._beyond(at, self._dependence(at))
+            clear = self._signed_distance(at, self._coarse(at))
+            self._known[at] = (
+                clear if clear is None or clear > NEAR_MARGINS else self._signed_distance(at, self._dependence(at))
+            )
         return self._known[at]
 
-    def _beyond(self, at: float, found: float | None) -> float | None:
+    def _signed_distance(self, at: float, found: float | None) -> float | None:
         side = 1.0 if at > self._root else -1.0
         return None if found is None else side * (found - self._given) / self._scale
 
@@ -184,7 +186,7 @@ class UniquenessScan:
 
     def _bottom(self, low: float, middle: float, high: float) -> Iterator[float]:
         for guess in range(DIP + KINK):
-            a, b, c = (self._clear(at) for at in (low, middle, high))
+            a, b, c = (self._scaled_distance(at) for at in (low, middle, high))
             if a is None or b is None or c is None or not (isfinite(a) and isfinite(c) and b < a and b <= c):
                 return
             bottom, depth = _lowest((low, a), (middle, b), (high, c))
@@ -193,7 +195,7 @@ class UniquenessScan:
                     return
                 bottom = 0.5 * (middle + max(low, high, key=lambda end: abs(end - middle)))
             yield bottom
-            lower = self._clear(bottom)
+            lower = self._scaled_distance(bottom)
             if lower is None:
                 return
             if lower < b:
@@ -229,8 +231,8 @@ def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
     """Return all sentences that ask for the value of the unknown with which a query has the given result."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
-    wanted, statements = kind.condition_phrases(query, words, noun), kind.statements(query, words, noun, given.said)
-    plain = [f"{called} is {given.said}" for called in kind.noun_phrases(query, words, noun)[:1]]
+    wanted, statements = kind.condition_phrases(query, words, noun), kind.statements(query, words, noun, given.text)
+    plain = [f"{called} is {given.text}" for called in kind.noun_phrases(query, words, noun)[:1]]
     clauses = tuple(dict.fromkeys((*statements[:1], *plain)))
     counted = f", {sense.positive} being positive" if sense is not None and not sense.fixed else ""
     shapes = (
@@ -238,7 +240,7 @@ def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words
         for phrase in unknown.phrases
         for shape in (
             *_stated(statements, clauses, phrase, counted),
-            *(shape for name in wanted for shape in _wanted(name, given.said, phrase, unknown.symbol, counted)),
+            *(shape for name in wanted for shape in _wanted(name, given.text, phrase, unknown.symbol, counted)),
         )
     )
     return tuple(dict.fromkeys(shapes))

@@ -29,7 +29,7 @@ SECANTS, ROUNDS, ROOT_RTOL = 8, 60, 1e-10  # secant steps, bracketed steps, and 
 STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 GROUND = "limit"  # kind of the event that ends the motion of a falling body
 
-Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
+EventCourse = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
 """Events in turn, by kind and subjects, which way each coordinate has changed, and whether it stands."""
 
 
@@ -63,7 +63,7 @@ class AnswerFunction:
         self._error = error
         self._known: dict[float, float | None] = {}
         self._times: dict[float, float] = {}  # when what is asked about came; inf where it was waited for in vain
-        self._courses: dict[float, Course] = {}
+        self._courses: dict[float, EventCourse] = {}
         self._late = set[float]()  # where it may come yet when the motion is no longer followed
 
     def record_answer(self, value: float, answer: float) -> None:
@@ -89,7 +89,7 @@ class AnswerFunction:
         self(value)
         return value in self._late
 
-    def course(self, value: float) -> Course | None:
+    def course(self, value: float) -> EventCourse | None:
         """Return the course of events until the answer for a value is known; None if there is no answer."""
         self(value)
         return self._courses.get(value)
@@ -192,7 +192,7 @@ class AnswerFunction:
         return (beside - here) / (STEP * value)
 
     def solve_from(self, value: float, near: float) -> float | None:
-        """Return the number for which the answer is `value`, by secants from `near`; None if they do not converge.
+        """Return the number for which the answer is `value`, by secants from `find_extreme_near`; None if they do not converge.
 
         Once the answer is accurate to `ROOT_RTOL`, one more secant step, which is not verified, improves the number.
         """
@@ -210,7 +210,7 @@ class AnswerFunction:
             fb = self._excess(b, value)
         return None
 
-    def between(self, value: float, low: float, high: float) -> float | None:
+    def find_root_between(self, value: float, low: float, high: float) -> float | None:
         """Return the number between `low` and `high` for which the answer is `value`; None at a discontinuity.
 
         The rule of false position, whose standing end counts half (Illinois).
@@ -241,7 +241,7 @@ class AnswerFunction:
         return None if answer is None else answer - value
 
 
-def with_long_strings(scene: Scene) -> Scene:
+def lengthen_strings(scene: Scene) -> Scene:
     """Return the scene with the lengths that no text states multiplied, so that every string is long enough."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
@@ -269,7 +269,7 @@ def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float
     points = sorted({*values, *(at for pair in pairwise(values) for at in bisect_border(coarse, *pair))})
     excess = [(at, result - given) for at in points if (result := coarse(at)) is not None]
     pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
-    result = (dependence.between(given, low, high) for low, high in pairs)
+    result = (dependence.find_root_between(given, low, high) for low, high in pairs)
     return [root for root in result if root is not None]
 
 
@@ -277,14 +277,14 @@ FEW = 5  # values of the first pass; without a single reversal among them the se
 STRIDE = 2  # stride through the values of the second pass
 STENCIL_STEP = 0.01  # relative: step of finite differences
 NEWTON_STEPS = 6  # iterations of Newton's method
-FARTHEST = 0.2  # relative: largest total step
+MAX_RELATIVE_SHIFT = 0.2  # relative: largest total step
 CONVERGENCE_RTOL, KNOWN_EXTREME_RTOL = 1e-8, 5e-7  # relative: tolerance of convergence; tolerance for a known extreme
 
 
 class StationaryValue(NamedTuple):
     """An extreme: the value of the number, the answer there, and whether it is a maximum."""
 
-    place: float
+    argument: float
     value: float
     greatest: bool
 
@@ -307,7 +307,9 @@ class ExtremeSearch:
             if turn is None:
                 return None
         low, middle, high, greatest = turn
-        return self.near(_vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest)
+        return self.find_extreme_near(
+            _vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest
+        )
 
     def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
         """Return three neighbouring values around the answer's only extreme, and whether it is a maximum; else None."""
@@ -324,7 +326,7 @@ class ExtremeSearch:
         n = turns[0]
         return values[n], values[n + 1], values[n + 2], rises[n]
 
-    def near(self, about: float, *, greatest: bool) -> StationaryValue | None:
+    def find_extreme_near(self, about: float, *, greatest: bool) -> StationaryValue | None:
         """Return the extreme close to a value, by Newton's method; None if there is none."""
         at = about
         for turn in range(NEWTON_STEPS):
@@ -339,7 +341,7 @@ class ExtremeSearch:
             if not (bend < 0.0 if greatest else bend > 0.0):
                 return None
             shift = -slope / bend
-            if abs(shift) > FARTHEST * abs(about):
+            if abs(shift) > MAX_RELATIVE_SHIFT * abs(about):
                 return None
             if turn == 0 and abs(shift) <= KNOWN_EXTREME_RTOL * abs(at):
                 return StationaryValue(at, here, greatest)

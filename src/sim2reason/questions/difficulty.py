@@ -24,7 +24,7 @@ class Need(IntEnum):
         return self.name.lower().replace("_", " ")
 
 
-MEANINGS = {
+NEED_DESCRIPTIONS = {
     Need.ARITHMETIC: "sums, products, quotients, whole powers, and sines and cosines of known angles",
     Need.QUADRATIC: "a square root or a quadratic equation",
     Need.INVERSE_FUNCTION: "an inverse trigonometric function, a logarithm or an exponential function",

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.questions.dependence import with_long_strings
+from sim2reason.questions.dependence import lengthen_strings
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.nested import NestedQuery, usable_answer
 from sim2reason.questions.kinds.threshold import ThresholdQuery
@@ -22,12 +22,12 @@ SAMPLES = 41
 DURATION_GROWTH = 2.0  # factor on the duration of a motion that has not yet led to an answer
 MAX_DOUBLINGS, FEWER = 40, 12  # maximum number of doublings; the second for integrated motions, whose cost grows
 SHORTER, MAX_RETRIES = 0.25, 8  # factor on the duration of a motion that cannot be simulated, and number of attempts
-ROOM = "reach"  # kind of the event that ends a motion for which an unstated length is too short
+SPACE_LIMIT_EVENT = "reach"  # kind of the event that ends a motion for which an unstated length is too short
 ENDLESS = "nothing ends this motion, since the text leaves open how far it can go; say up to which moment"
 ANSWER_RTOL = 1e-9  # relative: answers that differ by less do not depend on how far a motion goes
 UNDECIDED = "it happens for every value of that number, or for none, or the number has several such limits"
 FOLLOWED_NO_LONGER = "followed no longer"  # how a reason ends where one motion takes all the work that is allowed
-BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
+SINGULARITY_MARGIN = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
 
 
 class SimulatedAnswer(NamedTuple):
@@ -58,7 +58,7 @@ def simulate_scene(scene: Scene, until: float | None = None) -> FollowedMotion:
             return FollowedMotion(SimulatedScene.of(scene, np.linspace(0.0, until, SAMPLES)), _without_remedy(limit))
         except SimulationError as error:
             limit = limit or error
-            until = BEFORE * error.reached if 0.0 < error.reached < until else SHORTER * until
+            until = SINGULARITY_MARGIN * error.reached if 0.0 < error.reached < until else SHORTER * until
     assert limit is not None
     raise limit
 
@@ -73,14 +73,14 @@ def simulate_until_answer(query: Query, begun: FollowedMotion) -> SimulatedAnswe
 
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
-    simulated = _followed(query, begun)
+    simulated = _extend_motion(query, begun)
     to_its_end = isinstance(query.moment, WholeMotion)
     if (
         (simulated.answer is None or to_its_end)
-        and simulated.study.trace.cut == ROOM
-        and (scene := with_long_strings(begun.study.scene)) != begun.study.scene
+        and simulated.study.trace.cut == SPACE_LIMIT_EVENT
+        and (scene := lengthen_strings(begun.study.scene)) != begun.study.scene
     ):
-        longer = _followed(query, simulate_scene(scene))  # the text says that there is ample room
+        longer = _extend_motion(query, simulate_scene(scene))  # the text says that there is ample room
         if to_its_end and not _agree(simulated.answer, longer.answer):
             return SimulatedAnswer(simulated.study, None, ENDLESS)
         return longer if longer.answer is not None else simulated
@@ -91,7 +91,7 @@ def _agree(one: float | None, other: float | None) -> bool:
     return one is not None and other is not None and isclose(one, other, rel_tol=ANSWER_RTOL)
 
 
-def _followed(query: Query, begun: FollowedMotion) -> SimulatedAnswer:
+def _extend_motion(query: Query, begun: FollowedMotion) -> SimulatedAnswer:
     study, limit = begun
     ahead = query.moment.stated_time if query.moment is not None else None
     if ahead is not None and (until := TIME_MARGIN * ahead) > _end(study) and not limit:
@@ -102,14 +102,14 @@ def _followed(query: Query, begun: FollowedMotion) -> SimulatedAnswer:
             return SimulatedAnswer(study, answer, reason)
         if limit:
             break
-        longer, limit = _longer(study)
+        longer, limit = _simulate_longer(study)
         if _end(longer) <= _end(study):
             break
         study = longer
     return SimulatedAnswer(study, None, _given_up(study, limit))
 
 
-def _longer(study: SimulatedScene) -> FollowedMotion:
+def _simulate_longer(study: SimulatedScene) -> FollowedMotion:
     """Return a scene's motion with `DURATION_GROWTH` times the duration, cached for all queries."""
     return study.memoize("longer motion", lambda: simulate_scene(study.scene, DURATION_GROWTH * _end(study)))
 
@@ -165,5 +165,5 @@ def simulate_until_event(begun: FollowedMotion) -> FollowedMotion:
             return FollowedMotion(study, limit)
         if why_never(None, study.trace):
             break
-        study, limit = _longer(study)
+        study, limit = _simulate_longer(study)
     return begun

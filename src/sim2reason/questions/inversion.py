@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions.dependence import AnswerFunction, find_roots, with_long_strings
+from sim2reason.questions.dependence import AnswerFunction, find_roots, lengthen_strings
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR, SimulatedScene
@@ -19,7 +19,7 @@ from sim2reason.simulation.trace import ENGINES, FINEST
 
 PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
 """Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""
-DIPS = 4  # greatest number of extrema of the answer that are examined
+MAX_EXTREMA = 4  # greatest number of extrema of the answer that are examined
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
 GOLDEN_SECTION_STEPS = 60  # of golden-section search
 TOUCHED, ZERO = 1e-9, 1e-7  # relative: how closely an extremum is found, and what is no distance from it
@@ -31,14 +31,14 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
 
     def looked_for() -> list[float]:
         scene, path = study.scene, unknown.path
-        dependence = AnswerFunction(query, study, path, EXACT_STEP_ERROR, with_long_strings(scene))
+        dependence = AnswerFunction(query, study, path, EXACT_STEP_ERROR, lengthen_strings(scene))
         roots = find_roots(dependence, range_of(scene, path), given)
         patient = AnswerFunction(
             query,
             study,
             path,
             EXACT_STEP_ERROR,
-            with_long_strings(scene),
+            lengthen_strings(scene),
             None,
             PATIENCE[bool(changing(study.mechanism))],
         )
@@ -61,7 +61,7 @@ def _approached(
     deviations = [(at, abs(answer - given)) for at in points if (answer := coarse(at)) is not None]
     triples = zip(deviations, deviations[1:], deviations[2:], strict=False)
     dips = [(one[0], other[0]) for one, middle, other in triples if middle[1] < min(one[1], other[1])]
-    return [root for low, high in dips[:DIPS] for root in _in_dip(dependence, low, high, given)]
+    return [root for low, high in dips[:MAX_EXTREMA] for root in _in_dip(dependence, low, high, given)]
 
 
 def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -> list[float]:
@@ -80,7 +80,7 @@ def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -
             return []
         for at, answer in zip(points[1:3], answers, strict=True):
             if answer is not None and (answer > given) is not side and answer != given:
-                ends = dependence.between(given, low, at), dependence.between(given, at, high)
+                ends = dependence.find_root_between(given, low, at), dependence.find_root_between(given, at, high)
                 return [end for end in ends if end is not None]
         nearer = abs(answers[0] - given) < abs(answers[1] - given)
         one, other = (points[0], points[2]) if nearer else (points[1], points[3])
@@ -110,10 +110,10 @@ WRONG = 1e-3  # relative: accuracy of a threshold known to be wrong
 SAME_THRESHOLD_RTOL = 5e-7  # relative: two closer thresholds are equal
 SEARCH_RTOL, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
 BENT = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
-HALVED = 2  # guesses that should halve the bracket
+MAX_SECANT_GUESSES = 2  # guesses that should halve the bracket
 
 
-class _Found(NamedTuple):
+class _OutcomeSample(NamedTuple):
     """The result of one simulation: whether the outcome occurs, and its distance from the threshold."""
 
     happens: bool
@@ -127,7 +127,7 @@ class ThresholdSearch:
         """Prepare the search, given the study of a scene in which that number has any value."""
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
         self._change = study.change
-        self._known: dict[tuple[float, float], _Found | None] = {}
+        self._known: dict[tuple[float, float], _OutcomeSample | None] = {}
         self._doublings: dict[float, int] = {}  # of the outcome's own duration, until it was clear
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
@@ -135,7 +135,7 @@ class ThresholdSearch:
         result = self._tried(value, error)
         return None if result is None else result.happens
 
-    def _tried(self, value: float, error: float) -> _Found | None:
+    def _tried(self, value: float, error: float) -> _OutcomeSample | None:
         if (value, error) not in self._known:
             self._known[value, error] = None
             for begin in sorted({self._usual_doublings(value), 0}, reverse=True):
@@ -151,7 +151,7 @@ class ThresholdSearch:
         near = min(self._doublings, key=lambda known_value: abs(known_value - value), default=None)
         return self._doublings[near] if near is not None else 0
 
-    def _followed(self, value: float, error: float, begin: int) -> _Found | None:
+    def _followed(self, value: float, error: float, begin: int) -> _OutcomeSample | None:
         """Return the result for one value, from motions of doubling duration.
 
         At first it is as long as so many doublings make it.
@@ -164,19 +164,21 @@ class ThresholdSearch:
             happens = self._outcome.happens(trace)
             if happens is not None:
                 self._doublings[value] = doublings
-                return _Found(happens, self._outcome.excess(trace) if happens is self._outcome.tells else None)
+                return _OutcomeSample(happens, self._outcome.excess(trace) if happens is self._outcome.tells else None)
         return None
 
     def change(self) -> float | None:
         """Return the only threshold in the number's range or, without one there, up to far beyond it; else None."""
         usual = range_of(self._scene, self._path)
-        turns = self._turns(usual) if self._roughly() is not None else self._far_turns(usual)
-        return self.between(*turns[0]) if len(turns) == 1 else None
+        turns = self._change_brackets(usual) if self._coarse_bracket() is not None else self._far_turns(usual)
+        return self.find_change_between(*turns[0]) if len(turns) == 1 else None
 
     def _far_turns(self, usual: tuple[float, ...]) -> list[tuple[float, float]]:
         """Return up to two pairs of neighbouring values, in the range or far beyond, around changes of the outcome."""
         beyond = beyond_range(self._scene, self._path)
-        return self._turns(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
+        return (
+            self._change_brackets(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
+        )
 
     def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
         """Return whether the outcome occurs just above a value and not just below it, or the reverse.
@@ -193,31 +195,31 @@ class ThresholdSearch:
 
         `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
         """
-        turn = self._roughly()
+        turn = self._coarse_bracket()
         if turn is None or self(turn[1], COARSE_STEP_ERROR) is not above:
             return None
-        return self.between(*turn, THRESHOLD_RTOL if error <= EXACT_STEP_ERROR else ROUGH, error)
+        return self.find_change_between(*turn, THRESHOLD_RTOL if error <= EXACT_STEP_ERROR else ROUGH, error)
 
     def usual_change(self) -> float | None:
         """Return the threshold in the usual range, if a coarse grid shows a single one; else None.
 
         There may be others between the points of the grid; `changes_only_at` tests that at a higher cost.
         """
-        turn = self._roughly()
+        turn = self._coarse_bracket()
         if turn is None or not self._is_usual(*turn):
             return None
         low, high = self._halved([v for v in range_of(self._scene, self._path) if turn[0] <= v <= turn[1]])
-        return self.between(low, high) if self._is_usual(low, high) else None
+        return self.find_change_between(low, high) if self._is_usual(low, high) else None
 
     def changes_only_at(self, value: float) -> bool:
         """Return whether a threshold is the only one in the number's range."""
-        turns = self._turns(range_of(self._scene, self._path))
+        turns = self._change_brackets(range_of(self._scene, self._path))
         return len(turns) == 1 and turns[0][0] <= value <= turns[0][1]
 
-    def _roughly(self) -> tuple[float, float] | None:
+    def _coarse_bracket(self) -> tuple[float, float] | None:
         """Return the only pair of neighbours on a coarse grid between which the outcome changes; None if not unique."""
         values = range_of(self._scene, self._path)
-        turns = self._turns((*values[::SCAN_STRIDE], values[-1]))
+        turns = self._change_brackets((*values[::SCAN_STRIDE], values[-1]))
         return turns[0] if len(turns) == 1 else None
 
     def _halved(self, values: list[float]) -> tuple[float, float]:
@@ -232,7 +234,7 @@ class ThresholdSearch:
                 values = values[middle:] if happens == first else values[: middle + 1]
         return values[0], values[-1]
 
-    def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
+    def _change_brackets(self, values: Iterable[float]) -> list[tuple[float, float]]:
         """Return up to two pairs of neighbours among values between which the outcome changes."""
         outcomes = ((value, happens) for value in values if (happens := self(value, COARSE_STEP_ERROR)) is not None)
         return list(islice(((low, high) for (low, one), (high, other) in pairwise(outcomes) if one != other), 2))
@@ -245,23 +247,29 @@ class ThresholdSearch:
     def close_to(self, about: float, within: float) -> float | None:
         """Return the threshold within a relative distance of a number; None if the outcome is equal at the ends."""
         sides = {self(about * (1.0 - within), COARSE_STEP_ERROR), self(about * (1.0 + within), COARSE_STEP_ERROR)}
-        return self.near(about) if sides == {True, False} else None
+        return self.find_change_near(about) if sides == {True, False} else None
 
     def within(self, about: float, times: float) -> float | None:
         """Return the threshold within a factor of a number, if the outcome differs at the ends; else None."""
         smallest, *_, most = range_of(self._scene, self._path)
         low, high = max(smallest, about / times), min(most, about * times)
-        return self.between(low, high, WRONG, COARSE_STEP_ERROR)
+        return self.find_change_between(low, high, WRONG, COARSE_STEP_ERROR)
 
-    def near(self, about: float) -> float | None:
+    def find_change_near(self, about: float) -> float | None:
         """Return the threshold nearest to a number, searched at growing distances; None if there is none."""
         for width in (SAME_THRESHOLD_RTOL, *(SEARCH_RTOL * WIDER**turn for turn in range(WIDEST))):
             low, high = about / (1.0 + width), about * (1.0 + width)
             if {self(low, EXACT_STEP_ERROR), self(high, EXACT_STEP_ERROR)} == {True, False}:
-                return about if width == SAME_THRESHOLD_RTOL else self.between(low, high, ROUGH, EXACT_STEP_ERROR)
+                return (
+                    about
+                    if width == SAME_THRESHOLD_RTOL
+                    else self.find_change_between(low, high, ROUGH, EXACT_STEP_ERROR)
+                )
         return None
 
-    def between(self, low: float, high: float, exact: float = THRESHOLD_RTOL, error: float = FINEST) -> float | None:
+    def find_change_between(
+        self, low: float, high: float, exact: float = THRESHOLD_RTOL, error: float = FINEST
+    ) -> float | None:
         """Return the threshold between two numbers; None if the outcome does not differ or a motion fails.
 
         Secants are used on a side on which the distance from the threshold is known, bisection otherwise.
@@ -272,7 +280,7 @@ class ThresholdSearch:
         low, high = self._narrowed(low, high, error)
         left, guesses = high - low, 0
         while high - low > exact * abs(high):
-            aimed = self._aimed(low, high, exact) if guesses < HALVED else None
+            aimed = self._aimed(low, high, exact) if guesses < MAX_SECANT_GUESSES else None
             at = 0.5 * (low + high) if aimed is None else aimed
             happens = self(at, error)
             if happens is None:

@@ -21,7 +21,7 @@ _VERB = re.compile("|".join(QUOTA))
 _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subject of its own, or an agent
 
 
-def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
+def draw_sentence(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
     """Return a random one of equivalent sentences: first a verb, by fixed weights, then any sentence with that verb."""
     verbs = [match.group() if (match := _VERB.search(shape.lower())) else "what" for shape in shapes]
     weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
@@ -33,10 +33,10 @@ def sentence(shape: str) -> str:
     return shape[0].upper() + shape[1:]
 
 
-def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
+def question_sentences(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
     """Return all sentences that ask for a quantity, a magnitude or a component, at a moment.
 
-    `again` is the phrase for the moment with a pronoun, for use after the noun phrase has named its subject.
+    `use_pronoun` is the phrase for the moment with a pronoun, for use after the noun phrase has named its subject.
     """
     if noun.timeless:
         return tuple(shape.replace(" {when}", "") for shape in _plain(noun.phrase, "{when}", "{when}"))
@@ -61,11 +61,11 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     """Return all sentences that ask for a quantity, with every phrase for its moment."""
     assert query.target is not None
     assert query.moment is not None
-    noun, whens = spanning(query.moment, words, noun)
+    noun, whens = phrase_over_interval(query.moment, words, noun)
     shapes = (
         shape
         for when in whens
-        for shape in asking(query.target, noun, when, again(query.moment, noun.phrase, when, words))
+        for shape in question_sentences(query.target, noun, when, use_pronoun(query.moment, noun.phrase, when, words))
     )
     return tuple(dict.fromkeys(shapes))
 
@@ -75,8 +75,8 @@ def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     assert query.moment is not None
     if noun.timeless:
         return (noun.phrase,)
-    noun, whens = spanning(query.moment, words, noun)
-    return tuple(f"{noun.phrase} {again(query.moment, noun.phrase, when, words)}" for when in whens)
+    noun, whens = phrase_over_interval(query.moment, words, noun)
+    return tuple(f"{noun.phrase} {use_pronoun(query.moment, noun.phrase, when, words)}" for when in whens)
 
 
 def stating_then(query: Query, words: Words, noun: Noun, value: str) -> tuple[str, ...]:
@@ -85,25 +85,25 @@ def stating_then(query: Query, words: Words, noun: Noun, value: str) -> tuple[st
     plain = tuple(f"{named} is {value}" for named in naming_then(query, words, noun))
     if noun.timeless:
         return plain
-    noun, whens = spanning(query.moment, words, noun)
+    noun, whens = phrase_over_interval(query.moment, words, noun)
     first = tuple(f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
-    if not noun.states or noun.over:
+    if not noun.states or noun.interval_phrase:
         return (*plain, *first)
     states = noun.states.replace("{value}", value)
-    verbal = (f"{states} {again(query.moment, states, when, words)}" for when in whens)
+    verbal = (f"{states} {use_pronoun(query.moment, states, when, words)}" for when in whens)
     early = (f"{when}, {states}" for when in whens if when[0].isalpha())
     return (*verbal, *early, *plain, *first)
 
 
-def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
+def phrase_over_interval(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
     """Return a noun with the phrases for its moment or, for a functional, for the interval up to the moment."""
-    stretches = moment.stretches(words) if noun.over else ()
+    stretches = moment.stretches(words) if noun.interval_phrase else ()
     if stretches:
-        return replace(noun, phrase=noun.over), stretches
-    return replace(noun, how="" if noun.over else noun.how), moment.phrases(words)
+        return replace(noun, phrase=noun.interval_phrase), stretches
+    return replace(noun, how="" if noun.interval_phrase else noun.how), moment.phrases(words)
 
 
-def again(moment: Moment, noun: str, when: str, words: Words) -> str:
+def use_pronoun(moment: Moment, noun: str, when: str, words: Words) -> str:
     """Return `when` with a pronoun for its subject, as in *when it stops*, if `noun` names the same subject.
 
     `noun` must name no other body or agent but the ground: after *the energy that the dashpot beside spring 2
@@ -163,16 +163,16 @@ class PeriodQuery(Query):
         return next(iter(self.of), "")
 
 
-def movers(words: Words) -> dict[str, str]:
+def moving_body_phrases(words: Words) -> dict[str, str]:
     """Return the phrases of moving bodies and arms by name."""
-    return {**words.called(Bodies()), **words.called(TurningBodies())}
+    return {**words.subject_phrases(Bodies()), **words.subject_phrases(TurningBodies())}
 
 
 def noun_of(query: PeriodQuery, words: Words) -> str:
     """Return a phrase such as *the period of small oscillations of the block about the position of equilibrium*."""
     if not query.small:
         return _noun_of_motion(query, words)
-    about = f"about {_place(query)}"
+    about = f"about {_equilibrium_phrase(query)}"
     if query.modes > 1:
         speed = SPEEDS[query.modes][query.rank > 0]
         return f"the {query.measure} of the {speed} of the {COUNTS[query.modes]} normal modes of oscillation {about}"
@@ -184,20 +184,20 @@ def sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
     if not query.small:
         others = _of_motion(query, words)
     else:
-        others = _of_modes(query) if query.modes > 1 else _of_small(query, words)
+        others = _of_modes(query) if query.modes > 1 else _small_oscillation_sentences(query, words)
     return (*_plainly(noun_of(query, words)), *others)
 
 
-def _place(query: PeriodQuery) -> str:
+def _equilibrium_phrase(query: PeriodQuery) -> str:
     return f"the position of {equilibrium_called(stable=query.stable)}"
 
 
 def _of(query: PeriodQuery, words: Words) -> str:
     """Return the words for the bodies and the equilibrium of small oscillations with a single mode."""
-    phrases = [movers(words)[name] for name in query.of]
+    phrases = [moving_body_phrases(words)[name] for name in query.of]
     if len(phrases) > 1:
         return f"of {pair(*phrases)} relative to each other"
-    return f"of {phrases[0]} about {_place(query)}" if phrases else f"about {_place(query)}"
+    return f"of {phrases[0]} about {_equilibrium_phrase(query)}" if phrases else f"about {_equilibrium_phrase(query)}"
 
 
 def equilibrium_called(*, stable: bool) -> str:
@@ -206,7 +206,7 @@ def equilibrium_called(*, stable: bool) -> str:
 
 
 def _noun_of_motion(query: PeriodQuery, words: Words) -> str:
-    name, phrase = query.of[0], movers(words)[query.of[0]]
+    name, phrase = query.of[0], moving_body_phrases(words)[query.of[0]]
     if attracted_by(words.mechanism, name) in words.mentions:
         return f"the orbital {query.measure} of {phrase}"
     if _revolves(words.mechanism, name):
@@ -216,7 +216,7 @@ def _noun_of_motion(query: PeriodQuery, words: Words) -> str:
 
 def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
     mechanism, name, measure = words.mechanism, query.of[0], query.measure
-    phrase, path = movers(words)[name], center_path(mechanism, name)
+    phrase, path = moving_body_phrases(words)[name], center_path(mechanism, name)
     center = attracted_by(mechanism, name)
     if center in words.mentions:
         return _of_orbit(measure, phrase, words.mentions[center])
@@ -261,8 +261,12 @@ def _plainly(noun: str) -> tuple[str, ...]:
     return (f"what is {noun}?", f"find {noun}.", f"determine {noun}.", f"calculate {noun}.")
 
 
-def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
-    phrases, measure, equilibrium = [movers(words)[name] for name in query.of], query.measure, _place(query)
+def _small_oscillation_sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
+    phrases, measure, equilibrium = (
+        [moving_body_phrases(words)[name] for name in query.of],
+        query.measure,
+        _equilibrium_phrase(query),
+    )
     own = equilibrium.replace("the", "its", 1)
     if len(phrases) == 1:
         told = (
@@ -285,7 +289,7 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 
 def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
     """Return the sentences for one of several modes of oscillation, named by the order of their periods."""
-    count, last, equilibrium = query.modes, query.rank > 0, _place(query)
+    count, last, equilibrium = query.modes, query.rank > 0, _equilibrium_phrase(query)
     plural, unit = PLURALS[query.measure], PER_SECOND if query.measure == "frequency" else ""
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
     return (

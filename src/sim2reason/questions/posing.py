@@ -8,15 +8,15 @@ from sim2reason.errors import SceneError, SimulationError, TextError, Unsupporte
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene, simulate_until_answer
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
-from sim2reason.questions.kinds.comparison import compared
+from sim2reason.questions.kinds.comparison import build_comparison
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
-from sim2reason.questions.kinds.nested import stripped
+from sim2reason.questions.kinds.nested import without_target_and_moment
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.reached import stated
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query, quantities_named, targets
-from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
+from sim2reason.questions.structured import StructuredQuestion, one_of, parse_amount, resolve_name
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import Unknown, derived_numbers, number_at
 from sim2reason.questions.variation import SceneChange, is_removal, variation, words_in
@@ -25,14 +25,14 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities import QUANTITIES
 
 EXTREMES = GREATEST, LEAST = "greatest", "least"
-LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}
+LIMIT_KEYWORDS = {"infinity": True, "∞": True, "0": False, "zero": False}
 """Of a mass, in a change: whether it grows without bound, or vanishes."""
 PLUS = " + "
 MINUS = " minus "  # between two moments, for the value at the first one less the value at the second one
-HEAT = "energy dissipated by friction"
+FRICTION_HEAT = "energy dissipated by friction"
 AXLE = "moment of inertia about the axle"
 KINETIC = "kinetic energy", "translational kinetic energy", "rotational kinetic energy"
-SUMMED = (*KINETIC, "spring energy", "mass", AXLE, HEAT)
+ADDITIVE_QUANTITIES = (*KINETIC, "spring energy", "mass", AXLE, FRICTION_HEAT)
 """What can be found whose values of several subjects add up to that of all."""
 RATIO, DIFFERENCE, VALUE = COMPARED = "ratio", "difference", "value"
 """Forms of a changed answer, or of a number that is found: compared with the one in the scene, or the value itself."""
@@ -69,12 +69,12 @@ class PosedQuestion:
         """Return the unit of the given result."""
         return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
-    def followed(self, motion: FollowedMotion) -> SimulatedAnswer:
+    def simulate_answer(self, motion: FollowedMotion) -> SimulatedAnswer:
         """Return the answer with the motion that leads to it, or the reason why there is none."""
         if self.compare != VALUE or self.varied is not None:
             return self._compared(motion)
         if self.less is not None:
-            return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
+            return _difference(replace(self, less=None).simulate_answer(motion), self.less.simulate_answer(motion))
         if self.unknown is None:
             answers = [simulate_until_answer(query, motion) for query in (self.query, *self.others)]
             missing = next((each for each in answers if each.answer is None), None)
@@ -92,11 +92,11 @@ class PosedQuestion:
             there = motion if self.varied is None else simulate_scene(self.varied.applied(scene))
         except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
             return SimulatedAnswer(motion.study, None, f"with the change there is no such motion: {error}")
-        after = plain.followed(there)
+        after = plain.simulate_answer(there)
         if self.compare == VALUE or after.answer is None:
             return after
         path = self._number
-        before = plain.followed(motion).answer if not path else number_at(scene, path)
+        before = plain.simulate_answer(motion).answer if not path else number_at(scene, path)
         if before is None or (self.compare == RATIO and not before):
             return SimulatedAnswer(motion.study, None, "in the scene as it is there is nothing to compare it with")
         return after._replace(answer=after.answer / before if self.compare == RATIO else after.answer - before)
@@ -120,7 +120,7 @@ class PosedQuestion:
         return sentence(shapes[0]) if shapes else ""
 
 
-def findable(words: Words) -> tuple[str, ...]:
+def findable_names(words: Words) -> tuple[str, ...]:
     """Return the names of everything that can be found in a scene: quantities, functionals, times and numbers."""
     named = (name for kind in KINDS.values() for name in kind.finds(words))
     return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
@@ -130,7 +130,7 @@ def pose_question(question: StructuredQuestion, motion: FollowedMotion, words: W
     """Return the query for a structured question about a scene; TextError for a part that has no meaning there."""
     if question.given:
         return replace(_reversed(question, motion, words), compare=answer_form(question, VALUE))
-    find = one_of("find", question.find, findable(words))
+    find = one_of("find", question.find, findable_names(words))
     if MINUS in question.when:
         return _between(question, motion, words)
     if PLUS in question.of and not question.change:
@@ -177,9 +177,11 @@ def _difference(first: SimulatedAnswer, second: SimulatedAnswer) -> SimulatedAns
 
 def _summed(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for a sum over several subjects, such as *block A + block B*, with one query per subject."""
-    if question.find not in SUMMED or question.change:
+    if question.find not in ADDITIVE_QUANTITIES or question.change:
         raise TextError(
-            "of", f"{question.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}"
+            "of",
+            f"{question.find} of several does not add up",
+            f"ask for one, or for: {', '.join(ADDITIVE_QUANTITIES)}",
         )
     first, *others = (
         pose_question(replace(question, of=of.strip()), motion, words).query for of in question.of.split(PLUS)
@@ -205,7 +207,7 @@ def _reversed(question: StructuredQuestion, motion: FollowedMotion, words: Words
         return PosedQuestion(pose_question(inner, motion, words).query, unknown, wanted, end=end)
     query = pose_question(replace(question, find=result, given="", compare=""), motion, words).query
     unit = words.units.spell(KINDS[query.kind].measured(query).unit)
-    return PosedQuestion(query, unknown, measured("given", value, unit), end=end)
+    return PosedQuestion(query, unknown, parse_amount("given", value, unit), end=end)
 
 
 def numbers_offered(scene: Scene, words: Words) -> Mapping[str, Unknown]:
@@ -225,18 +227,20 @@ def _changed(question: StructuredQuestion, motion: FollowedMotion, words: Words)
     inner = pose_question(replace(question, change="", compare=""), motion, words)
     compare = answer_form(question, RATIO)
     number, _, value = (part.strip() for part in question.change.partition("="))
-    if value in (*LIMITS, *EXTREMES):
+    if value in (*LIMIT_KEYWORDS, *EXTREMES):
         parameters = {p.path: p for p in study.scene.parameters if p.value}
-        path = resolved("change", number, {path: words.named.get(path, path) for path in parameters})
+        path = resolve_name("change", number, {path: words.named.get(path, path) for path in parameters})
         if value in EXTREMES:
             return PosedQuestion(_optimum(inner.query, path, study, greatest=value == GREATEST, asks_place=False))
         if parameters[path].measure.unit == MASS:
-            query, large = inner.query, LIMITS[value]
-            return PosedQuestion(LimitQuery("limit", query.target, query.moment, stripped(query), path, large=large))
+            query, large = inner.query, LIMIT_KEYWORDS[value]
+            return PosedQuestion(
+                LimitQuery("limit", query.target, query.moment, without_target_and_moment(query), path, large=large)
+            )
     varied = variation(question.change, study.scene, words, partial(_time_of, motion=motion, words=words))
     if compare == VALUE or inner.others or inner.less or not _is_plain_change(varied, study.scene):
         return replace(inner, varied=varied, compare=compare)
-    return PosedQuestion(compared(inner.query, question, study, words))
+    return PosedQuestion(build_comparison(inner.query, question, study, words))
 
 
 def _after_removal(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
@@ -256,7 +260,7 @@ def _after_removal(question: StructuredQuestion, motion: FollowedMotion, words: 
 def _time_of(when: str, change: SceneChange, *, motion: FollowedMotion, words: Words) -> float:
     """Return the time of a moment, in seconds or the scene's unit of time, in a changed scene."""
     there = simulate_scene(change.applied(motion.study.scene)) if change.values or change.fixed else motion
-    simulated = pose_question(StructuredQuestion("time", when=when), there, words).followed(there)
+    simulated = pose_question(StructuredQuestion("time", when=when), there, words).simulate_answer(there)
     if simulated.answer is None:
         raise TextError("change", f"{when!r} never comes: {simulated.reason}", "name a moment of the motion")
     return simulated.answer
@@ -273,4 +277,6 @@ def _optimum(
     inner: Query, path: str, study: SimulatedScene, *, greatest: bool, asks_place: bool = True
 ) -> OptimumQuery:
     unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
-    return OptimumQuery("optimum", inner.target, inner.moment, stripped(inner), path, unit, greatest, asks_place)
+    return OptimumQuery(
+        "optimum", inner.target, inner.moment, without_target_and_moment(inner), path, unit, greatest, asks_place
+    )

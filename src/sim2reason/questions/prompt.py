@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.errors import SimulationError, TextError
 from sim2reason.questions import KINDS, MODES, Formula, ParsedQuestion, Query, Question, SimulatedScene, Words
 from sim2reason.questions.following import FollowedMotion, simulate_scene, simulate_until_answer
-from sim2reason.questions.ordinary.understanding import suggestion, understood
+from sim2reason.questions.ordinary.understanding import suggest_rewording, understand_sentence
 from sim2reason.questions.sentences import depends_on_start
 from sim2reason.questions.shapes import SHAPES, Draft, shapes_to_try
 from sim2reason.questions.spoken_units import in_si
@@ -28,7 +28,7 @@ FORMATS = (
     "State the answer in {unit} to three significant figures, inside \\boxed{{}}.",
     "Write the answer in {unit}, to three significant figures, in \\boxed{{}}.",
 )
-WHOLE = (
+WHOLE_NUMBER_FORMATS = (
     "Give your answer as a whole number, inside \\boxed{}.",
     "State the answer as a whole number inside \\boxed{}.",
     "Write the final answer, a whole number, in \\boxed{}.",
@@ -51,7 +51,7 @@ SYMBOLIC = (
 )
 """Where the numbers are symbols."""
 ANGLES, IN_RADIANS = ("deg", "rad"), "in radians"
-_TURNED = re.compile(
+_TRIGONOMETRIC = re.compile(
     r"\\(?:sin|cos|tan)(?:\^\{?\d\}?)?(?:\\left\(.*?\\right\)| ?\\?[A-Za-z]+(?:_\{.*?\}|_\\?[A-Za-z0-9]+)?)"
 )
 """A trigonometric function with its argument."""
@@ -109,14 +109,14 @@ def _last_line(question: Question, rng: np.random.Generator) -> str:
         own = f", {IN_RADIANS}" if question.unit in ANGLES else ""
         return form.format(symbols=f"{join(list(_named(question.formula)))}{own}")
     is_integer = KINDS[question.query.kind].measured(question.query).whole
-    forms = WHOLE if is_integer else FORMATS if question.unit else PLAIN_FORMATS
+    forms = WHOLE_NUMBER_FORMATS if is_integer else FORMATS if question.unit else PLAIN_FORMATS
     form = forms[int(rng.random() * len(forms))]
     return form.format(unit=unit_in_words(question.unit)) if forms is FORMATS else form
 
 
 def _named(formula: Formula) -> Iterator[str]:
     """Yield the symbols of a formula, with *in radians* for angles outside trigonometric functions."""
-    plain = _TURNED.sub("", formula.latex)
+    plain = _TRIGONOMETRIC.sub("", formula.latex)
     for symbol, unit in zip(formula.symbols, formula.units, strict=True):
         yield f"${symbol}$ ({IN_RADIANS})" if unit in ANGLES and symbol in plain else f"${symbol}$"
 
@@ -134,7 +134,7 @@ _SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
 _SYMBOLS = rf"{_SYMBOL}(?:(?:, | and ){_SYMBOL})*(?:, {IN_RADIANS})?"
 _FORMS = [
     *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
-    *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE, *PLAIN_FORMATS)),  # in no unit
+    *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE_NUMBER_FORMATS, *PLAIN_FORMATS)),  # in no unit
     *(re.compile(rf"\s+{re.escape(form.format(symbols='LIST')).replace('LIST', _SYMBOLS)}()$") for form in SYMBOLIC),
 ]
 
@@ -194,18 +194,18 @@ class ParsedPrompt:
     @property
     def answer(self) -> float | None:
         """Return the answer that follows from the text alone, in its unit; None if there is none."""
-        count = self.counted
+        count = self.is_count
         return count * self._factor(_words(self.reading)) if count is not None else None
 
     @property
-    def counted(self) -> float | None:
+    def is_count(self) -> float | None:
         """Return the answer in the scene's own unit; None if there is none."""
         return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
     @property
     def reason(self) -> str:
         """Return why there is no answer, as a clause; empty if there is an answer."""
-        if self.counted is not None:
+        if self.is_count is not None:
             return ""
         return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))
 
@@ -309,12 +309,14 @@ def _in_ordinary_english(
     if given or reading.unknown or "start" in reading.without:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     motion, words = simulate_scene(reading.scene), _words(reading)
-    meaning = understood(draft.question, motion, words)
-    if meaning is None or meaning.posed.unknown is not None:
-        near = suggestion(draft.question, motion, words)
+    meaning = understand_sentence(draft.question, motion, words)
+    if meaning is None or meaning.posed_question.unknown is not None:
+        near = suggest_rewording(draft.question, motion, words)
         raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
-    parsed_question = ParsedQuestion("numeric", meaning.posed.query)
-    return ParsedPrompt(reading, meaning.followed.study, parsed_question, unit, shape, meaning.followed.reason)
+    parsed_question = ParsedQuestion("numeric", meaning.posed_question.query)
+    return ParsedPrompt(
+        reading, meaning.simulated_answer.study, parsed_question, unit, shape, meaning.simulated_answer.reason
+    )
 
 
 def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:

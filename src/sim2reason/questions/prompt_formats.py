@@ -12,7 +12,7 @@ from math import floor, log10
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.questions import KINDS, Question
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.times import AtTime
@@ -20,7 +20,7 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import (
     FORMATS,
     PLAIN_FORMATS,
-    WHOLE,
+    WHOLE_NUMBER_FORMATS,
     ParsedPrompt,
     Prompt,
     composed,
@@ -32,7 +32,7 @@ from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import join
 
-THAT = "that moment"
+REFERENCE_PHRASE = "that moment"
 
 
 def with_reference(text: str, moment: Moment | None, words: Words) -> str:
@@ -62,11 +62,14 @@ def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
     if not isinstance(moment, Happening | AtTime) or moment.sided is not None:
         return []
     clause = moment.clause(words) if isinstance(moment, Happening) else None
-    pairs = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
+    pairs = [(phrase, f"at {REFERENCE_PHRASE}") for phrase in moment.phrases(words)]
     if isinstance(moment, AtTime):
-        pairs += [(stretch, f"until {THAT}") for stretch in moment.stretches(words)]
+        pairs += [(stretch, f"until {REFERENCE_PHRASE}") for stretch in moment.stretches(words)]
     if clause is not None:
-        pairs += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]
+        pairs += [
+            (f"until {clause.statement}", f"until {REFERENCE_PHRASE}"),
+            (f"the moment when {clause.statement}", REFERENCE_PHRASE),
+        ]
     subject = moment.subject(words)
     if subject:
         pairs += [(phrase.replace(subject, moment.pronoun, 1), short) for phrase, short in pairs if subject in phrase]
@@ -81,8 +84,8 @@ FORMS = (
 ROUNDING = ", to three significant figures"
 AS_WHOLE, AS_PURE = "as a whole number", "as a pure number"
 ANSWER = "Answer:"
-_PART = re.compile(rf"\(([{LABELS}])\) (.+)")
-_UNIT = re.compile(rf"\([{LABELS}]\) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{LABELS}]\)|\.$)")
+_PART = re.compile(rf"\(([{PART_LABELS}])\) (.+)")
+_UNIT = re.compile(rf"\([{PART_LABELS}]\) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,| and \([{PART_LABELS}]\)|\.$)")
 _SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(?=,|\.$)")
 
 
@@ -111,7 +114,7 @@ class PartPrompt:
         units = tuple(candidate["unit"] or _as_number(candidate[0]) for candidate in said)
         for form in range(len(FORMS)):
             candidate = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
-            if len(units) > 1 and labels == LABELS[: len(units)] and candidate.text == text:
+            if len(units) > 1 and labels == PART_LABELS[: len(units)] and candidate.text == text:
                 return candidate
         raise TextError(
             "prompt", "it has no parts (a), (b), … with a last line about their answers", "give one of ours"
@@ -120,14 +123,14 @@ class PartPrompt:
     @property
     def text(self) -> str:
         """Return the whole prompt."""
-        listed = (f"({label}) {question}" for label, question in zip(LABELS, self.questions, strict=False))
+        listed = (f"({label}) {question}" for label, question in zip(PART_LABELS, self.questions, strict=False))
         return "\n\n".join([self.scene, "\n".join(listed), self.last_line])
 
     @property
     def last_line(self) -> str:
         """Return the last line, on how to give the answers."""
-        unit_phrases = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
-        box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
+        unit_phrases = [f"({label}) {_told(unit)}" for label, unit in zip(PART_LABELS, self.units, strict=False)]
+        box = "; ".join(f"({label}) …" for label in PART_LABELS[: len(self.units)])
         digits = ROUNDING if any(unit != AS_WHOLE for unit in self.units) else ""
         each = (
             join(unit_phrases)
@@ -146,13 +149,15 @@ class PartPrompt:
         """Return the prompt of one part that gives the answers to all earlier parts."""
         before = [
             f"({label}) {question} {ANSWER} {answer}."
-            for label, question, answer in zip(LABELS, self.questions[:part], answers, strict=False)
+            for label, question, answer in zip(PART_LABELS, self.questions[:part], answers, strict=False)
         ]
-        listed = "\n".join([*before, f"({LABELS[part]}) {self.questions[part]}"])
-        return "\n\n".join([self.scene, listed, _single_form(self.units[part], f"your answer to ({LABELS[part]})")])
+        listed = "\n".join([*before, f"({PART_LABELS[part]}) {self.questions[part]}"])
+        return "\n\n".join(
+            [self.scene, listed, _single_form(self.units[part], f"your answer to ({PART_LABELS[part]})")]
+        )
 
 
-def together(
+def build_part_prompt(
     description: Description, questions: Sequence[Question], words: Words, rng: np.random.Generator
 ) -> tuple[Prompt, tuple[str, ...]]:
     """Return one prompt with several questions, in a shape that ends with the question, and the questions' texts in it.
@@ -213,7 +218,7 @@ def _as_number(said: str) -> str:
 
 def _single_form(unit: str, answer: str = "your answer") -> str:
     """Return the last line of a prompt with one question."""
-    form = {AS_WHOLE: WHOLE, AS_PURE: PLAIN_FORMATS}.get(unit, FORMATS)[0]
+    form = {AS_WHOLE: WHOLE_NUMBER_FORMATS, AS_PURE: PLAIN_FORMATS}.get(unit, FORMATS)[0]
     return (
         form.replace("your answer", answer).format(unit=unit)
         if form in FORMATS
@@ -223,7 +228,7 @@ def _single_form(unit: str, answer: str = "your answer") -> str:
 
 LETTERS = "ABCDE"
 SIGNIFICANT_DIGITS = 3  # significant digits that prompts ask for
-PLAIN = range(-3, 5)  # powers of ten of numbers written without scientific notation
+PLAIN_EXPONENTS = range(-3, 5)  # powers of ten of numbers written without scientific notation
 ENDING = "Which answer is right? Give its letter inside \\boxed{}."
 MINUS = "\N{MINUS SIGN}"
 _OPTION = re.compile(rf"([{LETTERS}])\. (.+)")
@@ -239,7 +244,7 @@ class ChoicePrompt:
     @classmethod
     def of(cls, question: str, values: Sequence[float], unit: str) -> "ChoicePrompt":
         """Return a prompt with numbers as options, all formatted in one style."""
-        return cls(question, amounts(values, unit))
+        return cls(question, format_options(values, unit))
 
     @classmethod
     def read(cls, text: str) -> "ChoicePrompt":
@@ -267,17 +272,17 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
     return parse_prompt(f"{question}{between}{form}", rng)
 
 
-def amounts(values: Sequence[float], unit: str) -> tuple[str, ...]:
+def format_options(values: Sequence[float], unit: str) -> tuple[str, ...]:
     """Return the texts of numbers with their unit, all in one style."""
-    return tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values))
+    return tuple(join_unit(text.replace("-", MINUS), unit) for text in format_numbers(values))
 
 
-def said(values: Sequence[float], digits: int = SIGNIFICANT_DIGITS) -> list[str]:
+def format_numbers(values: Sequence[float], digits: int = SIGNIFICANT_DIGITS) -> list[str]:
     """Return the texts of numbers, all as integers or all with `digits` significant digits and any powers of ten."""
     if all(value == round(value) and abs(value) < 10**digits for value in values):
         return [str(round(value)) for value in values]
     powers = [_power(value, digits) for value in values]
-    if all(power in PLAIN for power in powers):
+    if all(power in PLAIN_EXPONENTS for power in powers):
         pairs = zip(values, powers, strict=True)
         return [f"{float(f'{value:.{digits - 1}e}'):.{max(0, digits - 1 - power)}f}" for value, power in pairs]
     parted = (f"{value:.{digits - 1}e}".split("e") for value in values)

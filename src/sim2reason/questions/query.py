@@ -11,14 +11,20 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
+from sim2reason.questions.structured import StructuredQuestion, resolve_name, sense_named
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, center_path, chain, turning_axes
+from sim2reason.simulation.quantities.subjects.bodies import (
+    Bodies,
+    TurningBodies,
+    ancestor_chain,
+    center_path,
+    turning_axes,
+)
 
 OWN_PATH, OWN_AXLE = "its path", "its axle"
 """Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""
@@ -53,9 +59,11 @@ class Target:
         found = QUANTITIES[self.quantity].evaluate(state, self.subject)
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
-        return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.way(state.mechanism))
+        return (
+            np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.direction(state.mechanism))
+        )
 
-    def way(self, mechanism: Mechanism) -> Vector:
+    def direction(self, mechanism: Mechanism) -> Vector:
         """Return the direction of the component in this mechanism, whose slopes may differ from the original one."""
         assert self.sense is not None
         quantity = QUANTITIES[self.quantity]
@@ -71,19 +79,19 @@ class Noun:
     """The words for a target: a noun phrase and, for some, a question, a clause and a statement.
 
     `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``. A `timeless` target is asked for without a
-    moment; a target with a phrase `over` an interval is asked for from the start to the moment.
+    moment; a target with a phrase `interval_phrase` an interval is asked for from the start to the moment.
     """
 
     phrase: str
     how: str = ""
     indirect: str = ""
     timeless: bool = False
-    over: str = ""
+    interval_phrase: str = ""
     states: str = ""
 
-    def heard(self, text: str) -> bool:
+    def occurs_in(self, text: str) -> bool:
         """Return whether a sentence may ask for the target."""
-        if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
+        if self.phrase in text or any(words and words in text for words in (self.indirect, self.interval_phrase)):
             return True
         subject, _, rest = self.states.partition("{value}")
         if subject and subject in text and rest in text:
@@ -110,12 +118,12 @@ def target_named(question: StructuredQuestion, words: Words) -> Target:
     """
     mechanism = words.mechanism
     quantity = quantities_named(mechanism)[question.find]
-    called = words.called(quantity.of)
+    called = words.subject_phrases(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
     mentioned = {name: phrase for name, phrase in names.items() if name in called}
     if not question.of and quantity.name in OF_RIGID_BODY and len({_moving(mechanism, name) for name in names}) == 1:
         names = dict([next(iter(names.items()))])
-    name = resolved("of", question.of, names if question.of or len(mentioned) != 1 else mentioned)
+    name = resolve_name("of", question.of, names if question.of or len(mentioned) != 1 else mentioned)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
         raise TextError(
@@ -133,7 +141,7 @@ def target_named(question: StructuredQuestion, words: Words) -> Target:
 
 def _moving(mechanism: Mechanism, name: str) -> str:
     """Return the name of the body to which a body is rigidly joined, and which can move in the room or on another."""
-    bodies = chain(mechanism, name)
+    bodies = ancestor_chain(mechanism, name)
     return next((body.name for body in bodies if body.coordinates), bodies[-1].name)
 
 
@@ -157,7 +165,7 @@ def targets(words: Words) -> Targets:
 def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
     for subject, members in groupby(ordered(), key=lambda quantity: quantity.of):
         quantities = [quantity for quantity in members if quantity.magnitude or quantity.signed]
-        for name in words.called(subject):
+        for name in words.subject_phrases(subject):
             yield from _of_subject(
                 [quantity for quantity in quantities if _askable(quantity, name, words)], name, words
             )
@@ -169,7 +177,7 @@ def _askable(quantity: Quantity, name: str, words: Words) -> bool:
 
 
 def _told(quantity: Quantity, name: str, words: Words) -> bool:
-    return all(quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
+    return all(quantity.of.gives(need, words.mechanism, name, words.stated_paths) for need in quantity.needs)
 
 
 def _of_subject(quantities: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
@@ -209,7 +217,7 @@ class _Filler:
         if not template:
             return ""
         subject, words = quantity.of, self._words
-        phrase = words.called(subject)[self._name]
+        phrase = words.subject_phrases(subject)[self._name]
         if quantity.center:
             phrase = subject.point(words.mechanism, self._name, phrase)
         fills = words.fills(subject, self._name)

@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import inner
-from sim2reason.simulation.quantities.subjects.bodies import center_path, chain
+from sim2reason.simulation.quantities.subjects.bodies import ancestor_chain, center_path
 from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.simulation.trace import Trace, ending
 
@@ -25,7 +25,7 @@ RECURRENCE_RTOL, ERRS = (
     1e-6,
     100.0,
 )  # of the greatest displacement and speed; times the error of a step: tolerances of recurrence
-MOST = 12  # greatest number of candidate times
+MAX_CANDIDATES = 12  # greatest number of candidate times
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Repetition:
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, of the first recurrence of the state; None if there is none, or only one at an event."""
         mechanism = trace.mechanism
-        names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
+        names = [c.name for body in ancestor_chain(mechanism, self.name) for c in body.coordinates]
         time = _first_return(trace, [mechanism.number[name] for name in names])
         return time if time is not None and is_clear_of_events(time, trace) else None
 
@@ -95,7 +95,7 @@ def drift_return(trace: Trace) -> float | None:
 
     if not direction.any():
         return None
-    return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
+    return next((time for time in islice(crossings(trace, excess), MAX_CANDIDATES) if alike(trace.at(time))), None)
 
 
 def _felt(mechanism: Mechanism) -> list[int]:
@@ -206,13 +206,19 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
         same = max(RECURRENCE_RTOL, ERRS * trace.tolerance)
         return float(np.abs(off).max()) <= same * far and float(np.abs(changed).max()) <= same * fast
 
-    return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
+    return next((time for time in islice(crossings(trace, excess), MAX_CANDIDATES) if alike(trace.at(time))), None)
 
 
 EVENTLESS = 1e3  # times the time of the last event: uniform motion up to then remains eventless
-PLACES = ("displacement", "extension", "spring length", "deflection", "angle turned")  # quantities of position
+POSITION_QUANTITIES = (
+    "displacement",
+    "extension",
+    "spring length",
+    "deflection",
+    "angle turned",
+)  # quantities of position
 BOTH = 2  # reversals of a motion, one on each side
-TURNED = 1e-3  # of the greatest displacement: a returned coordinate has made no full turn
+FULL_TURN_RTOL = 1e-3  # of the greatest displacement: a returned coordinate has made no full turn
 
 
 def why_never(moment: Moment | None, trace: Trace) -> str:
@@ -247,7 +253,9 @@ def reverses_before(moment: Moment | None, trace: Trace) -> bool:
     point the energy equals the potential there, so that the motion never passes a turning point again.
     """
     mechanism = trace.mechanism
-    placed = isinstance(moment, Threshold) or (isinstance(moment, Reached) and moment.target.quantity in PLACES)
+    placed = isinstance(moment, Threshold) or (
+        isinstance(moment, Reached) and moment.target.quantity in POSITION_QUANTITIES
+    )
     if not placed or len(mechanism.coordinates) != 1 or not is_autonomous(mechanism) or mechanism.meetings:
         return False
     turns = [event for event in trace.events if event.kind == "turn" and event.time <= trace.stable_until]
@@ -286,4 +294,4 @@ def _period(trace: Trace) -> float | None:
         return None
     gone = np.abs(trace.at(period).q[0] - trace.at(0.0).q[0])
     far = np.abs(trace.scan.q - trace.at(0.0).q).max(axis=0)
-    return period if bool((gone <= TURNED * far).all()) else None
+    return period if bool((gone <= FULL_TURN_RTOL * far).all()) else None

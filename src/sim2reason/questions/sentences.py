@@ -14,7 +14,7 @@ from sim2reason.questions.query import Query, targets
 from sim2reason.questions.regimes.directions import AllStayTaut, StaysTaut
 from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.questions.unknown import range_of
-from sim2reason.questions.words import DIGITS, format_number
+from sim2reason.questions.words import DIGITS_PATTERN, format_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic
 from sim2reason.scenes.dsl.units import UnitSystem
@@ -52,9 +52,9 @@ _SMALL = _SHARES | _HALVES | _PLAIN
 _WORDS = _SMALL | {word.capitalize(): number for word, number in _SMALL.items()}
 _FRACTIONS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-_GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS})?"
+_GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS_PATTERN})?"
 _POWER = r"(?:\s?[×x]\s?10\^?(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}|-?\d{1,2})|[eE](?P<exponent>[+-]?\d{1,2}))?"
-_NUMBER = rf"(?P<number>{_GROUPED}|{DIGITS}(?:\.{DIGITS})?|\.{DIGITS}|[½¼¾]|(?:{'|'.join(_WORDS)})\b){_POWER}"
+_NUMBER = rf"(?P<number>{_GROUPED}|{DIGITS_PATTERN}(?:\.{DIGITS_PATTERN})?|\.{DIGITS_PATTERN}|[½¼¾]|(?:{'|'.join(_WORDS)})\b){_POWER}"
 _BETWEEN = "(?:\\s|\N{NO-BREAK SPACE}|-)?"  # a number and its unit
 LARGEST = Decimal("1e15")  # larger numbers are left as they are
 APOSTROPHES, DASHES = "\N{RIGHT SINGLE QUOTATION MARK}", "\N{NON-BREAKING HYPHEN}\N{HYPHEN}"
@@ -106,7 +106,7 @@ def parse_question(
     numbers may be spelled in any usual way. Where `kinds` are named, only those are tried.
     """
     text, offered = sentence(plainly(text, words.units)), targets(words)
-    mentioned = {target: noun for target, noun in offered.items() if noun.heard(text)}
+    mentioned = {target: noun for target, noun in offered.items() if noun.occurs_in(text)}
     for kind in (candidate for name, candidate in KINDS.items() if kinds is None or name in kinds):
         for query in kind.parsed(text, study, words, mentioned):
             noun = offered[query.target] if query.target is not None else None

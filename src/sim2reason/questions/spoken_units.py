@@ -14,11 +14,11 @@ from sim2reason.errors import UnknownNameError
 from sim2reason.questions.words import KILO, LONG, METRE
 from sim2reason.scenes.dsl.measures import show_unit
 from sim2reason.scenes.dsl.unit_text import factors
-from sim2reason.scenes.dsl.units import MINUTE, UnitError, coherent, parse_unit
+from sim2reason.scenes.dsl.units import MINUTE, UnitError, parse_unit, to_coherent_unit
 
 MINUS = "\N{MINUS SIGN}"
-LARGE = 5  # power of ten from which numbers are in scientific notation: 2.6×10⁵
-DIGITS = 12  # significant digits of a converted number
+SCIENTIFIC_EXPONENT = 5  # power of ten from which numbers are in scientific notation: 2.6×10⁵
+SIGNIFICANT_DIGITS = 12  # significant digits of a converted number
 _RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789"
 _DECIMAL = rf"{MINUS}?\d+(?:\.\d+)?(?:×10[{_RAISED}]+)?"
 _PRODUCT = "[A-Za-zµΩ²³⁴·]+"
@@ -66,11 +66,11 @@ class SpokenUnits:
         """Return the replacement of a single unit, which may have a prefix, and its factor; None if there is none."""
         if word in self.words:
             return self.words[word]
-        bare, scale = coherent(word)
+        bare, scale = to_coherent_unit(word)
         other = self.words.get(bare)
         return (other[0], other[1] * scale) if other is not None else None
 
-    def beside(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
+    def suited_to(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
         """Return the part of the system whose units suit the numbers of a text in SI units and `more` numbers.
 
         A `whole` unit stays, and all that have its metres or kilograms do, where a number in another would need a power
@@ -95,7 +95,7 @@ def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float
     if any(parse_unit(number_unit).name not in (unit, name) for _, number_unit in alike):
         return True
     return any(
-        abs(number) * float(factor) >= 10.0**LARGE
+        abs(number) * float(factor) >= 10.0**SCIENTIFIC_EXPONENT
         for number, number_unit in alike
         if parse_unit(number_unit).name == unit
     )
@@ -129,7 +129,7 @@ _SMALL = SpokenUnits(
     MINUTE.name,
     words={
         "m": (MINUTE.length, Decimal(1)),
-        **{word: (own, 1 / coherent(own)[1]) for word, own in (("kg", MINUTE.mass), *MINUTE.derived)},
+        **{word: (own, 1 / to_coherent_unit(own)[1]) for word, own in (("kg", MINUTE.mass), *MINUTE.derived)},
     },
 )
 SYSTEMS = {system.name: system for system in (SI, CGS, MIXED)}
@@ -205,11 +205,11 @@ def _restored(shown: str) -> tuple[str, Decimal]:
     return (show_unit(unit), 1 / factor) if unit != name else (shown, factor)
 
 
-Said = Callable[[str, str], tuple[str, str] | None]
+UnitConversion = Callable[[str, str], tuple[str, str] | None]
 """What a text says in place of a number with a unit; None if it stays."""
 
 
-def _converted(text: str, convert: Said) -> str:
+def _converted(text: str, convert: UnitConversion) -> str:
     lines = text.split("\n")
     for index, line in enumerate(lines):
         if not line.startswith("|"):
@@ -235,7 +235,7 @@ def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
             yield float(_number(number)), parse_unit(unit).name
 
 
-def _table(rows: list[str], convert: Said) -> list[str]:
+def _table(rows: list[str], convert: UnitConversion) -> list[str]:
     """Return a Markdown table with converted numbers and the units in its headings."""
     cells = [row.strip("| ").split(" | ") for row in rows]
     for column, heading in enumerate(cells[0]):
@@ -256,7 +256,7 @@ def _number(text: str) -> Decimal:
 
 def _written(value: Decimal) -> str:
     """Return a number with all its digits, in scientific notation if large."""
-    if value and value.adjusted() >= LARGE:
+    if value and value.adjusted() >= SCIENTIFIC_EXPONENT:
         power = str(value.adjusted()).translate(str.maketrans(_LOWERED, _RAISED))
         text = f"{value.scaleb(-value.adjusted()):f}×10{power}"
     else:
@@ -266,7 +266,9 @@ def _written(value: Decimal) -> str:
 
 def _plain(value: Decimal) -> str:
     """Return a number with at least two significant digits and no further trailing zeros."""
-    value = +value.quantize(Decimal(1).scaleb(value.adjusted() - DIGITS + 1)).normalize() if value else value
+    value = (
+        +value.quantize(Decimal(1).scaleb(value.adjusted() - SIGNIFICANT_DIGITS + 1)).normalize() if value else value
+    )
     if value and len(value.as_tuple().digits) < 2:
         value = value.quantize(Decimal(1).scaleb(value.adjusted() - 1))
     return f"{value:f}".replace("-", MINUS)

@@ -7,11 +7,11 @@ from typing import Any, Self, cast
 
 import numpy as np
 
-from sim2reason.base.registry import nearest
+from sim2reason.base.registry import similar_names
 from sim2reason.errors import TextError
 from sim2reason.questions.moments import MOMENTS, Clause, Happening, Moment
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.words import DIGITS, ORDINALS, Words
+from sim2reason.questions.words import DIGITS_PATTERN, ORDINALS, Words
 from sim2reason.scenes.dsl.units import UnitError, parse_unit
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.trace import Channel, Trace
@@ -78,7 +78,9 @@ REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|
 CHANGE = re.compile(r"(?P<number>.+?)(?:\s*(?P<sign>[=×*])\s*|\s+[xX]\s*(?=[\d.]))(?P<value>.+)")
 """A change of a number: another value, or a factor after ×, * or the letter x."""
 LONGEST = 200  # characters of a part
-_NUMBER = re.compile(rf"([+-]?(?:{DIGITS}\.?(?:{DIGITS})?|\.{DIGITS})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)")
+_NUMBER = re.compile(
+    rf"([+-]?(?:{DIGITS_PATTERN}\.?(?:{DIGITS_PATTERN})?|\.{DIGITS_PATTERN})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)"
+)
 _COUNTS = {word: number for number, word in enumerate(ORDINALS, start=1)}
 _BEFORE = re.compile(r"\b(?:just )?before\b")
 _AFTER = re.compile(r"\b(?:just )?after\b")
@@ -116,7 +118,7 @@ class StructuredQuestion:
         known = [field.name for field in fields(cls)]
         for name, value in parts.items():
             if name not in known:
-                raise TextError(f"question.{name}", "there is no such key", _meant(name, known))
+                raise TextError(f"question.{name}", "there is no such key", _suggestion(name, known))
             if not isinstance(value, str | int | float) or isinstance(value, bool) or len(str(value)) > LONGEST:
                 raise TextError(f"question.{name}", "it is no short text", "give words, such as: moved 0.5 m")
         if not parts.get("find"):
@@ -124,7 +126,7 @@ class StructuredQuestion:
         return cls(**{name: " ".join(str(value).split()) for name, value in parts.items()})
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the parts of the question as one text."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
         compare = self.compare or ("ratio" if self.change and REMOVAL.search(self.change) is None else "")
@@ -132,7 +134,7 @@ class StructuredQuestion:
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 
-def resolved(field_name: str, text: str, candidates: Mapping[str, str]) -> str:
+def resolve_name(field_name: str, text: str, candidates: Mapping[str, str]) -> str:
     """Return the name of the candidate, among names with their phrases, that a text denotes; TextError if not unique.
 
     `text` may be the name, the phrase with or without an article, or a part that only one candidate has. If `text` is
@@ -147,7 +149,7 @@ def resolved(field_name: str, text: str, candidates: Mapping[str, str]) -> str:
     if not candidates:
         raise TextError(field_name, "this scene has nothing of that kind", "ask about something else")
     problem = f"there is no {text!r} here" if text else "it does not say what it is about"
-    raise TextError(field_name, problem, _meant(text, [*candidates, *candidates.values()], candidates))
+    raise TextError(field_name, problem, _suggestion(text, [*candidates, *candidates.values()], candidates))
 
 
 def _rank(text: str, name: str, phrase: str) -> int | None:
@@ -167,8 +169,8 @@ def _bare(text: str) -> str:
     return text.lower().removeprefix("the ").strip()
 
 
-def _meant(text: str, names: Iterable[str], shown: Iterable[str] | None = None) -> str:
-    near = nearest(text, list(dict.fromkeys(names)))
+def _suggestion(text: str, names: Iterable[str], shown: Iterable[str] | None = None) -> str:
+    near = similar_names(text, list(dict.fromkeys(names)))
     return f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(shown or names)}"
 
 
@@ -176,11 +178,11 @@ def one_of(field_name: str, text: str, names: Iterable[str]) -> str:
     """Return `text` if it is one of `names`; TextError, at `field_name`, with the nearest names, otherwise."""
     known = list(dict.fromkeys(names))
     if text not in known:
-        raise TextError(field_name, f"there is no {text!r}", _meant(text, known))
+        raise TextError(field_name, f"there is no {text!r}", _suggestion(text, known))
     return text
 
 
-def measured(field_name: str, text: str, unit: str) -> float:
+def parse_amount(field_name: str, text: str, unit: str) -> float:
     """Return the value, in `unit`, of a number with a unit, by default `unit`; TextError if there is no number."""
     match = _NUMBER.fullmatch(text.strip())
     if match is None:
@@ -197,7 +199,7 @@ def measured(field_name: str, text: str, unit: str) -> float:
 def sense_named(field_name: str, text: str, senses: Iterable[Sense]) -> Sense:
     """Return the direction with a given name: the name of its axis, or of its positive sense."""
     by_name = {name: sense for sense in senses for name in (sense.positive, sense.axis) if name}
-    return by_name[resolved(field_name, text, {name: name for name in by_name})]
+    return by_name[resolve_name(field_name, text, {name: name for name in by_name})]
 
 
 def moment_named(question: StructuredQuestion, words: Words) -> Moment:
@@ -218,12 +220,12 @@ def moment_named(question: StructuredQuestion, words: Words) -> Moment:
         before, after = (_AFTER.sub("", _BEFORE.sub("", part)).strip() for part in (before, after))
     for field, unit in _measures(cls, words).items():
         if after or field_types[field] is float:
-            values[field] = cast("type[float]", field_types[field])(measured("when", after, unit))
+            values[field] = cast("type[float]", field_types[field])(parse_amount("when", after, unit))
     if "number" in field_types:
         before, values["number"] = _counted(before)
     if "name" in field_types:
         candidates = cast("Any", cls).candidates(words)
-        values["name"] = resolved("when", before or _same(question.of, candidates), candidates)
+        values["name"] = resolve_name("when", before or _same(question.of, candidates), candidates)
     moment = cls(**values)
     return moment if sided or side or not isinstance(moment, Happening) else JustBefore(moment)
 
@@ -252,7 +254,7 @@ def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
 def _same(of: str, candidates: Mapping[str, str]) -> str:
     """Return the candidate that denotes the question's subject; empty if there is none."""
     try:
-        return resolved("when", of, candidates) if of else ""
+        return resolve_name("when", of, candidates) if of else ""
     except TextError:
         return ""
 
@@ -273,7 +275,7 @@ def _split(text: str) -> tuple[str, str, str]:
     words = plain.split(" ")
     spans = [" ".join(words[a:b]) for a in range(len(words)) for b in range(a + 1, min(a + 4, len(words)) + 1)]
     names = [name.replace("_", " ") for name in MOMENTS]
-    near = [match for span in spans for match in nearest(span, names, 1)]
+    near = [match for span in spans for match in similar_names(span, names, 1)]
     remedy = f"did you mean: {', '.join(dict.fromkeys(near))}" if near else "see: sim2reason list moments"
     raise TextError("when", f"{text!r} names no moment", remedy)
 

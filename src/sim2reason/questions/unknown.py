@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 
 VELOCITY, SPEED = "velocity", "speed"
-NOWHERE = "a speed of zero has no direction"
+NO_DIRECTION_ERROR = "a speed of zero has no direction"
 
 
 class DerivedNumber(NamedTuple):
@@ -32,7 +32,7 @@ class DerivedNumber(NamedTuple):
         """Return the velocity components with another speed and the same direction; SceneError if all are zero."""
         now = self.value(scene)
         if not now:
-            raise SceneError(self.path, NOWHERE, "change one of the components")
+            raise SceneError(self.path, NO_DIRECTION_ERROR, "change one of the components")
         return {part: float(scene.value(part) or 0.0) * value / now for part in self.parts}
 
 
@@ -71,18 +71,18 @@ def with_number(scene: Scene, path: str, value: float) -> Scene:
     return with_numbers(scene, {path: value})
 
 
-WIDER = 10.0  # factor on the range of drawn values, at either end
+RANGE_FACTOR = 10.0  # factor on the range of drawn values, at either end
 POINTS = 64
 FAR, STEPS = 100.0, 16  # factor on a value, either way, and number of equal logarithmic steps
-FARTHER = 300.0, 1000.0  # further factors on a value
-FARTHEST = 1e4  # factor on a range: bounds of the extended search
-LEAST = 1e-2  # of the upper end of a range that begins at zero: the least value
-OWN = frozenset(
+FAR_FACTORS = 300.0, 1000.0  # further factors on a value
+MAX_SEARCH_FACTOR = 1e4  # factor on a range: bounds of the extended search
+MIN_RANGE_FRACTION = 1e-2  # of the upper end of a range that begins at zero: the least value
+BODY_NUMBERS = frozenset(
     {"mass", "magnitude of the charge", "radius"}
 )  # what is said of a body that has a name: *the mass of A*
 LENGTHS = frozenset({"m", "au"})
-USUAL = 2.0  # factor on the range of drawn values, either way
-NUDGE = 1.0 + 1e-3
+USUAL_RANGE_FACTOR = 2.0  # factor on the range of drawn values, either way
+NUDGE_FACTOR = 1.0 + 1e-3
 MAX_UNKNOWNS = 3  # numbers tried for one question
 
 
@@ -109,13 +109,18 @@ class Unknown:
             return None
         shown = f"${symbol}$"
         like = [p for p in scene.parameters if p.measure.noun == measure.noun and p.path.rpartition(".")[0] == owner]
-        named = measure.noun in OWN and len(like) == 1 and owner in scene.bodies and bool(scene.bodies[owner].letters)
+        named = (
+            measure.noun in BODY_NUMBERS
+            and len(like) == 1
+            and owner in scene.bodies
+            and bool(scene.bodies[owner].letters)
+        )
         own = (f"the {measure.noun} of {mentions[owner]}",) if named else ()
         return cls(
             parameter.path, measure.noun, measure.unit, shown, (*own, *_by_symbol(measure.noun, shown)), measure.sought
         )
 
-    def called(self, symbol: str) -> Self:
+    def with_symbol(self, symbol: str) -> Self:
         """Return the same unknown with another symbol."""
         shown = f"${symbol}$"
         return replace(self, symbol=shown, phrases=(*self.phrases[:-2], *_by_symbol(self.name, shown)))
@@ -152,7 +157,7 @@ def draw_unknowns(offered: Sequence[Unknown], scene: Scene, rng: np.random.Gener
 def _keeps_routes(scene: Scene, path: str) -> bool:
     """Return whether strings keep their routes for other values of a number."""
     try:
-        other = scene.having(path, float(scene.value(path)) * NUDGE)
+        other = scene.having(path, float(scene.value(path)) * NUDGE_FACTOR)
     except (SceneError, ValueError):  # it has its greatest value
         return True
     try:
@@ -170,28 +175,28 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     """
     if (derived := derived_numbers(scene).get(path)) is not None:
         size = derived.value(scene)
-        return tuple(np.geomspace(size / WIDER, size * WIDER, POINTS).tolist()) if size else ()
+        return tuple(np.geomspace(size / RANGE_FACTOR, size * RANGE_FACTOR, POINTS).tolist()) if size else ()
     field_type, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
     assert field_type.drawn is not None
     low, high = field_type.drawn.low, field_type.drawn.high
-    smallest, most = limits_of(scene, path)
+    smallest, most = find_limits(scene, path)
     if low < 0.0:
-        return tuple(_of_either_sign(max(-low, high), most, abs(about)).tolist())
+        return tuple(_with_both_signs(max(-low, high), most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
-    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, smallest)
-    usual = spaced(begin, min(high * WIDER, most), POINTS)
-    return (*usual.tolist(), *_onwards(usual, min(about * WIDER, most)))
+    begin = max((low if unit == "deg" else max(low, high * MIN_RANGE_FRACTION)) / RANGE_FACTOR, smallest)
+    usual = spaced(begin, min(high * RANGE_FACTOR, most), POINTS)
+    return (*usual.tolist(), *_onwards(usual, min(about * RANGE_FACTOR, most)))
 
 
-def limits_of(scene: Scene, path: str) -> tuple[float, float]:
+def find_limits(scene: Scene, path: str) -> tuple[float, float]:
     """Return the least and the greatest value that a number's declaration and the related numbers beside it allow."""
     owner, _, name = path.rpartition(".")
     value, field_type = scene.value(owner), _field(scene, path)
     kinds = field_types(cast("type[Model]", type(value)))
     less = getattr(value, field_type.above) if field_type.above else None
     greater = [getattr(value, other) for other, kind in kinds.items() if kind.above == name]
-    smallest = field_type.least if less is None else max(field_type.least, less * NUDGE)
-    return smallest, min([field_type.most, *(number / NUDGE for number in greater if number is not None)])
+    smallest = field_type.least if less is None else max(field_type.least, less * NUDGE_FACTOR)
+    return smallest, min([field_type.most, *(number / NUDGE_FACTOR for number in greater if number is not None)])
 
 
 def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
@@ -206,8 +211,8 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
     values = range_of(scene, path)
     if unit == "deg" or values[0] <= 0.0:
         return ()
-    limits = limits_of(scene, path)
-    smallest, most = max(values[0] / FARTHEST, limits[0]), min(values[-1] * FARTHEST, limits[1])
+    limits = find_limits(scene, path)
+    smallest, most = max(values[0] / MAX_SEARCH_FACTOR, limits[0]), min(values[-1] * MAX_SEARCH_FACTOR, limits[1])
     ends = ((smallest, values[0]), (values[-1], most))
     return tuple(tuple(np.geomspace(low, high, POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
 
@@ -222,7 +227,7 @@ def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
         return []
     low, high = (values[0], values[-1]) if about > 0.0 else (-values[-1], -values[0])
     size = abs(about)
-    times = (*(FAR ** (n / STEPS) for n in range(1, STEPS + 1)), *FARTHER)
+    times = (*(FAR ** (n / STEPS) for n in range(1, STEPS + 1)), *FAR_FACTORS)
     candidates = (size * by**side for by in times for side in (1, -1))
     return [candidate if about > 0.0 else -candidate for candidate in candidates if candidate > high or candidate < low]
 
@@ -240,7 +245,7 @@ def _onwards(points: Array, end: float) -> list[float]:
 def usual_range(scene: Scene, path: str) -> tuple[float, float]:
     """Return the range of usual values of a number."""
     drawn = _field(scene, path).drawn
-    return (drawn.low / USUAL, drawn.high * USUAL) if drawn is not None else (inf, -inf)
+    return (drawn.low / USUAL_RANGE_FACTOR, drawn.high * USUAL_RANGE_FACTOR) if drawn is not None else (inf, -inf)
 
 
 def is_usual(scene: Scene, path: str, value: float) -> bool:
@@ -249,9 +254,9 @@ def is_usual(scene: Scene, path: str, value: float) -> bool:
     return low <= value <= high
 
 
-def _of_either_sign(size: float, most: float, about: float) -> Array:
-    half = np.geomspace(size * LEAST, min(size * WIDER, most), POINTS // 2)
-    half = np.append(half, _onwards(half, min(about * WIDER, most)))
+def _with_both_signs(size: float, most: float, about: float) -> Array:
+    half = np.geomspace(size * MIN_RANGE_FRACTION, min(size * RANGE_FACTOR, most), POINTS // 2)
+    half = np.append(half, _onwards(half, min(about * RANGE_FACTOR, most)))
     return np.concatenate([-half[::-1], [0.0], half])
 
 

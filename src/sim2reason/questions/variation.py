@@ -8,14 +8,14 @@ import numpy as np
 
 from sim2reason.base.records import cached_property
 from sim2reason.errors import TextError, UnsupportedError
-from sim2reason.questions.structured import CHANGE, REMOVAL, measured, resolved
+from sim2reason.questions.structured import CHANGE, REMOVAL, parse_amount, resolve_name
 from sim2reason.questions.unknown import derived_numbers, number_at, with_numbers
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Force, Inextensible, Mechanism
 from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.state import displaced
+from sim2reason.scenes.dsl.state import displace
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.quantities.subjects.interactions import Hands, Springs, Strings
 from sim2reason.simulation.quantities.subjects.rotating_parts import Rods, SwingingLines
@@ -48,7 +48,7 @@ class SceneAfterRemoval(Scene):
             raise UnsupportedError(f"the motion is not described until {self.after:g} s")
         _refuse_memory(original)
         state = trace.at(self.after)
-        there = displaced(original, state.q[0].tolist(), state.v[0].tolist())
+        there = displace(original, state.q[0].tolist(), state.v[0].tolist())
         return replace(
             _without_lines(there, frozenset(self.removed)),
             forces=tuple(_later(force, self.after) for force in there.forces if force.name not in self.removed),
@@ -95,11 +95,11 @@ def _later(force: Force, after: float) -> Force:
     return replace(force, law=replace(law, profile=later))
 
 
-def removable(words: Words) -> Mapping[str, str]:
+def find_removable(words: Words) -> Mapping[str, str]:
     """Return the text's phrases for everything that can be removed, by name: lines, hands and fields."""
     mechanism = words.mechanism
     kinds = (Strings(), SwingingLines(), Springs(), Rods(), Hands())
-    named = {name: phrase for kind in kinds for name, phrase in words.called(kind).items()}
+    named = {name: phrase for kind in kinds for name, phrase in words.subject_phrases(kind).items()}
     line_by_part = {line.name: line.whole for line in mechanism.lines}
     phrases = {line_by_part[name]: phrase for name, phrase in named.items() if name in line_by_part}
     forces = {force.name: FIELDS.get(force.name.rpartition(".")[2], "") for force in mechanism.forces}
@@ -113,10 +113,10 @@ def after_removal(scene: Scene, removed: tuple[str, ...], after: float) -> Scene
 
 
 MAX_CHANGES = 6  # greatest number of changes in one question
-FIXED = "fixed"  # the keyword for a body that no longer moves
-REMOVED = "removed"  # the keyword for an object that ceases to act, such as a cut string
+FIXED_KEYWORD = "fixed"  # the keyword for a body that no longer moves
+REMOVED_KEYWORD = "removed"  # the keyword for an object that ceases to act, such as a cut string
 _PARTED = re.compile(r",\s+")
-_FIXED = re.compile(rf"(?P<body>.+?) {FIXED}")
+_FIXED = re.compile(rf"(?P<body>.+?) {FIXED_KEYWORD}")
 _TIME = re.compile(r"(?:t = )?[\d.]\S* \S+|(?:t = )?[\d.]\S*")
 
 
@@ -140,11 +140,11 @@ class SceneChange:
         return after_removal(other, self.removed, self.after) if self.removed else other
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the changes as text, such as *ramp.angle = 30, box fixed*, for a structured question."""
         numbers = (f"{path} = {value:.15g}" for path, value in self.values)
-        removed = (f"{name} {REMOVED} at {self.after:.15g} s" for name in self.removed)
-        return ", ".join((*numbers, *(f"{body} {FIXED}" for body in self.fixed), *removed))
+        removed = (f"{name} {REMOVED_KEYWORD} at {self.after:.15g} s" for name in self.removed)
+        return ", ".join((*numbers, *(f"{body} {FIXED_KEYWORD}" for body in self.fixed), *removed))
 
 
 def variation(text: str, scene: Scene, words: Words, time_of: Callable[[str, SceneChange], float]) -> SceneChange:
@@ -162,7 +162,7 @@ def variation(text: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
     for part in parts:
         gone = REMOVAL.fullmatch(part)
         if gone is not None and CHANGE.fullmatch(gone["what"]) is None:
-            removed[resolved("change", gone["what"], removable(words))] = gone["when"] or ""
+            removed[resolve_name("change", gone["what"], find_removable(words))] = gone["when"] or ""
             continue
         match, fixed_match = CHANGE.fullmatch(part), _FIXED.fullmatch(part)
         if fixed_match is not None and match is None:
@@ -170,8 +170,8 @@ def variation(text: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
             continue
         if match is None:
             raise TextError("change", f"{part!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
-        path = resolved("change", match["number"], {path: words.named.get(path, path) for path in units})
-        value = measured("change", match["value"], units[path] if match["sign"] == "=" else "")
+        path = resolve_name("change", match["number"], {path: words.named.get(path, path) for path in units})
+        value = parse_amount("change", match["value"], units[path] if match["sign"] == "=" else "")
         values[path] = value if match["sign"] == "=" else value * number_at(scene, path)
     change = SceneChange(tuple(values.items()), tuple(fixed))
     return _removing(removed, change, words, time_of) if removed else change
@@ -187,7 +187,7 @@ def _removing(
     if not when or when in ("start", "at start"):
         after = 0.0
     elif _TIME.fullmatch(when):
-        after = measured("change", when.removeprefix("t = "), words.units.spell("s"))
+        after = parse_amount("change", when.removeprefix("t = "), words.units.spell("s"))
     else:
         after = time_of(when, change)
     return replace(change, removed=tuple(removed), after=after)
@@ -200,7 +200,7 @@ def is_removal(text: str) -> bool:
 
 def _body(text: str, scene: Scene, words: Words) -> str:
     mentions = {name: words.mentions.get(name, name) for name in scene.builder.bodies}
-    return resolved("change", text, mentions)
+    return resolve_name("change", text, mentions)
 
 
 def units_of(scene: Scene) -> Mapping[str, str]:

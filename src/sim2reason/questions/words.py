@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.structure import may_turn_back
+from sim2reason.scenes.dsl.structure import may_reverse
 from sim2reason.scenes.dsl.units import UnitSystem
 from sim2reason.simulation.quantities.subjects import Subject
 
@@ -74,16 +74,16 @@ class OwnSymbol:
     value: float
 
     @property
-    def shown(self) -> str:
+    def text(self) -> str:
         """Return the symbol between dollar signs."""
         return f"${self.symbol}$"
 
 
-DIGITS = r"\d{1,20}"  # digits of a number before or after its point: as many as a float in full can need
+DIGITS_PATTERN = r"\d{1,20}"  # digits of a number before or after its point: as many as a float in full can need
 ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of round numbers
-EXACT = 1e-13  # relative: numbers that differ by less are equal
+EQUAL_NUMBER_RTOL = 1e-13  # relative: numbers that differ by less are equal
 METRE, LONG, KILO = "m", 1e4, 1e3  # the SI unit of length, and the length from which numbers are in kilometres
-OWN = {
+QUESTION_SYMBOLS = {
     "s": ("a time", ("t", "t_1", "t_2")),
     "m": ("a distance", ("d", "s", "D")),
     "deg": ("an angle", (r"\alpha", r"\beta", r"\gamma")),
@@ -93,14 +93,14 @@ OWN = {
 
 def symbol_for(value: float, unit: str, taken: Collection[str]) -> OwnSymbol | None:
     """Return an unused symbol for a question's own number; None if there is none for its unit."""
-    noun, options = OWN.get(unit, ("", ()))
+    noun, options = QUESTION_SYMBOLS.get(unit, ("", ()))
     free = next((option for option in options if option not in taken), None)
     return OwnSymbol(noun, free, value) if free is not None else None
 
 
 def spoken_of(symbol: str, text: str, units: UnitSystem) -> tuple[str, OwnSymbol] | None:
     """Return the number for a symbol, from its text with a unit, and the SI unit; None if it can have no symbol."""
-    for unit, (noun, options) in OWN.items():
+    for unit, (noun, options) in QUESTION_SYMBOLS.items():
         shown = join_unit("", units.spell(unit))
         if symbol in options and text.endswith(shown):
             return unit, OwnSymbol(noun, symbol, float(text.removesuffix(shown)))
@@ -110,8 +110,8 @@ def spoken_of(symbol: str, text: str, units: UnitSystem) -> tuple[str, OwnSymbol
 def format_number(value: float, unit: str) -> str:
     """Return a number with all its digits, at least two, and its unit; lengths from 10 km on are in kilometres."""
     if unit == METRE and value >= LONG:
-        return join_unit(digits(value / KILO), "km")
-    return join_unit(digits(value), unit)
+        return join_unit(format_all_digits(value / KILO), "km")
+    return join_unit(format_all_digits(value), unit)
 
 
 def numbers_in_text(text: str, unit: str) -> list[float]:
@@ -126,13 +126,13 @@ def numbers_in_text(text: str, unit: str) -> list[float]:
 def _number(unit: str) -> re.Pattern[str]:
     """Return a pattern for a number as `format_number` writes it: the degree sign follows without a space."""
     shown = join_unit("", unit)
-    return re.compile(rf"({DIGITS}(?:\.{DIGITS})?){re.escape(shown)}(?![\w/])")
+    return re.compile(rf"({DIGITS_PATTERN}(?:\.{DIGITS_PATTERN})?){re.escape(shown)}(?![\w/])")
 
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
-def ordinal(number: int) -> str:
+def ordinal_word(number: int) -> str:
     """Return an ordinal number in words: *first*."""
     return ORDINALS[number - 1]
 
@@ -149,10 +149,10 @@ def two_digits(value: float) -> str:
     return f"{rounded:.{places}f}"
 
 
-def digits(value: float) -> str:
+def format_all_digits(value: float) -> str:
     """Return a positive number with all its significant digits, at least two, and never in scientific notation."""
     two = two_digits(value)
-    return two if isclose(float(two), value, rel_tol=EXACT) else f"{Decimal(f'{value:.15g}').normalize():f}"
+    return two if isclose(float(two), value, rel_tol=EQUAL_NUMBER_RTOL) else f"{Decimal(f'{value:.15g}').normalize():f}"
 
 
 def rounded_as_written(value: float) -> float:
@@ -178,7 +178,7 @@ class Words:
     mechanism: Mechanism
     mentions: Mapping[str, str]  # by address
     released: bool  # from rest; else the text counts time from t = 0
-    said: frozenset[str] = frozenset()  # the paths of all numbers that the text says, or speaks of as unknown
+    stated_paths: frozenset[str] = frozenset()  # the paths of all numbers that the text says, or speaks of as unknown
     unknowns: Sequence[Unknown] = ()  # the numbers that it leaves unknown, or could
     symbols: Mapping[str, str] = field(default_factory=dict[str, str])  # by address, those of all numbers, if known
     symbolic: bool = False  # whether it has those in place of numbers
@@ -206,14 +206,14 @@ class Words:
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
         """Return words with symbols in place of the text's numbers; `own` has the symbols of the question's numbers."""
         unknowns = [
-            unknown.called(self.symbols[unknown.path]) for unknown in self.unknowns if unknown.path in self.symbols
+            unknown.with_symbol(self.symbols[unknown.path]) for unknown in self.unknowns if unknown.path in self.symbols
         ]
         return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
     @cached_property
     def turns_back(self) -> bool:
         """Return whether a body may turn back: one with an initial velocity, a collision or a varying force."""
-        return may_turn_back(self.mechanism)
+        return may_reverse(self.mechanism)
 
     @property
     def since(self) -> str:
@@ -223,26 +223,26 @@ class Words:
     def say(self, value: float, unit: str) -> str:
         """Return the text of a question's own number: 0.80 s, or its symbol."""
         own = self.own.get(unit)
-        return own.shown if own is not None else format_number(value, self.units.spell(unit))
+        return own.text if own is not None else format_number(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
         """Return the text of a question's own number, with a noun before a symbol: 0.80 s, or *a time $t$*."""
         own = self.own.get(unit)
-        return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
+        return f"{own.noun} {own.text}" if own is not None else self.say(value, unit)
 
-    def heard(self, text: str, unit: str) -> list[float]:
+    def find_numbers(self, text: str, unit: str) -> list[float]:
         """Return the values of a question's own numbers in a text."""
         own = self.own.get(unit)
         if own is None:
             return numbers_in_text(text, self.units.spell(unit))
-        return [own.value] if own.shown in text else []
+        return [own.value] if own.text in text else []
 
     @property
     def units(self) -> UnitSystem:
         """Return the units of the text."""
         return self.mechanism.units
 
-    def called(self, of: Subject) -> Mapping[str, str]:
+    def subject_phrases(self, of: Subject) -> Mapping[str, str]:
         """Return the phrases for subjects of one kind, by name."""
         phrases = self._called.get(of.name)
         if phrases is None:

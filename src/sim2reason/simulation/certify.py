@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.base.records import cached_property, counted
+from sim2reason.base.records import cached_property, format_count
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
@@ -75,7 +75,7 @@ class Certificate:
 
     def __repr__(self) -> str:
         """Return the engines, the time until which they agree, the tolerance, and the number of channels compared."""
-        channels, until = counted(len(self.agreement), "channel"), f"until t = {self.stable_until:.6g}"
+        channels, until = format_count(len(self.agreement), "channel"), f"until t = {self.stable_until:.6g}"
         return f"<Certificate: {' and '.join(self.engines)} agree {until} within {self.tolerance:g} on {channels}>"
 
     def __str__(self) -> str:
@@ -85,7 +85,7 @@ class Certificate:
             worst = max(self.agreement, key=lambda channel: self.agreement[channel])
             size = f"{self.agreement[worst]:.1e} of the scale"
             lines.append(f"  largest difference: {size}, {worst.quantity} of {worst.subject}")
-        lines.append(f"  {counted(len(self.matched), 'event')} matched")
+        lines.append(f"  {format_count(len(self.matched), 'event')} matched")
         end = [f"  ends because {ENDINGS.get(self.reason, self.reason)}"] if self.reason else []
         return "\n".join([*lines, *end])
 
@@ -177,9 +177,9 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
     near = EVENT_TIME_RTOL * float(times[-1])
     first = recorded if recorded.stable_until <= witness.stable_until + near else witness
     end, reason = first.stable_until, first.cut
-    matched, parted = _match(_telling(recorded.events), _telling(witness.events), near)
+    matched, parted = _match(_events_to_match(recorded.events), _events_to_match(witness.events), near)
     if parted is not None and parted.time < float(times[-1]) - near and parted.time <= end + near:
-        end, reason = min(end, parted.time), f"only one engine sees: {_told(parted)}"
+        end, reason = min(end, parted.time), f"only one engine sees: {_event_text(parted)}"
     changes = any(m.event.kind in CHANGES for m in matched)
     blind = tuple(_around(match, near) for match in matched)
     if parted is not None and parted.time >= float(times[-1]) - near:  # one engine may see it just after the end
@@ -194,14 +194,14 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
     return Certificate(engines, table.tolerance, end, reason, matched, blind, table.agreement, until, table.others)
 
 
-def _told(event: Event) -> str:
+def _event_text(event: Event) -> str:
     return f"{event.kind} of {', '.join(event.subjects)} at {event.time:.6g} s"
 
 
 # ---- events
 
 
-def _telling(events: Iterable[Event]) -> list[Event]:
+def _events_to_match(events: Iterable[Event]) -> list[Event]:
     """Return the events that both engines must record: those that change the motion."""
     return [event for event in events if event.changes_motion]
 
@@ -255,9 +255,9 @@ class _Table:
         self.agreement: dict[Channel, float] = {}
         self.until: dict[Channel, float] = {}
         self._over: dict[Channel, float] = {}
-        self._times, self._living, self._heard = recorded.times, living, heard
+        self._times, self._living, self._compared_samples = recorded.times, living, heard
         self._end = float(recorded.times[-1])
-        self._both = _joined(recorded, witness)
+        self._both = _concatenate(recorded, witness)
         self._compare_all(drawn=True)
 
     def others(self) -> Mapping[Channel, float]:
@@ -289,8 +289,8 @@ class _Table:
         size = np.sqrt((ours * ours).sum(axis=2))
         floor = quantity.floor * heaviest if quantity.heavy else quantity.floor  # a smaller scale would be rounding's
         scale = max(float(np.nanmax(size[:, self._living], initial=0.0)), floor)
-        deviation = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
-        silent = np.isfinite(size[:, self._heard]) & np.isnan(deviation)
+        deviation = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._compared_samples] / scale
+        silent = np.isfinite(size[:, self._compared_samples]) & np.isnan(deviation)
         for row, (channel, _) in enumerate(members):
             over = self._first(deviation[row] > self.tolerance)
             self.until[channel] = min(over, self._first(silent[row]))
@@ -305,7 +305,7 @@ class _Table:
         if not bad.any():
             return self._end
         first = int(bad.argmax())
-        return float(self._times[self._heard][first - 1]) if first else 0.0
+        return float(self._times[self._compared_samples][first - 1]) if first else 0.0
 
     def first_over(self) -> tuple[float, Channel | None]:
         """Return the earliest time at which a channel exceeds the tolerance, s, and that channel."""
@@ -313,7 +313,7 @@ class _Table:
         return (self._end, None) if channel is None else (self._over[channel], channel)
 
 
-def _joined(a: State, b: State) -> State:
+def _concatenate(a: State, b: State) -> State:
     """Return two motions concatenated in time, so that each quantity is evaluated only once."""
 
     def forces(x: Mapping[str, Array], y: Mapping[str, Array]) -> dict[str, Array]:

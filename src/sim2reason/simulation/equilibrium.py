@@ -54,7 +54,9 @@ class Balance:
         separated = all(
             float(self.assembly.separation(pair).gap) > ZERO_FORCE_TOL for pair in system.mechanism.meetings
         )
-        within = all(limit.room + limit.sign * float(q[limit.coordinate]) > ZERO_FORCE_TOL for limit in system.limits)
+        within = all(
+            limit.initial_travel + limit.sign * float(q[limit.coordinate]) > ZERO_FORCE_TOL for limit in system.limits
+        )
         return slack and pushed and separated and within and self._strained() and self._ahead()
 
     def _strained(self) -> bool:
@@ -68,8 +70,8 @@ class Balance:
     def _ahead(self) -> bool:
         """Return whether no straight line segment has reversed its direction, as after its end passes a pulley."""
         for ends, run in self.system.runs.items():
-            direction = self.assembly.frames.distance(*ends).way
-            if sum(float(a) * float(b) for a, b in zip(direction, run.way, strict=True)) < ZERO_FORCE_TOL - 1.0:
+            direction = self.assembly.frames.distance(*ends).direction
+            if sum(float(a) * float(b) for a, b in zip(direction, run.direction, strict=True)) < ZERO_FORCE_TOL - 1.0:
                 return False
         return True
 
@@ -104,7 +106,7 @@ KEPT = 8  # number of cached results
 
 
 @dataclass(frozen=True)
-class Rest:
+class Equilibrium:
     """A stable equilibrium of a mechanism."""
 
     state: State  # one instant at rest; forces shared by several rows are NaN
@@ -130,7 +132,7 @@ class Rest:
 
 
 @lru_cache(maxsize=KEPT)
-def equilibrium(mechanism: Mechanism) -> Rest | None:
+def equilibrium(mechanism: Mechanism) -> Equilibrium | None:
     """Return the stable equilibrium nearest to the initial state; None if there is none or it is not isolated.
 
     There is none for mechanisms with friction, with time-dependent forces, engines, winches or feet, and without forces
@@ -139,13 +141,13 @@ def equilibrium(mechanism: Mechanism) -> Rest | None:
     if not _restores(mechanism):
         return None
     try:
-        return _Descent(RestingLoads(mechanism)).rest()
+        return _Descent(RestingLoads(mechanism)).find_rest()
     except (UnsupportedError, ZeroDivisionError, np.linalg.LinAlgError):
         return None
 
 
 @lru_cache(maxsize=KEPT)
-def unique_equilibrium(mechanism: Mechanism) -> Rest | None:
+def unique_equilibrium(mechanism: Mechanism) -> Equilibrium | None:
     """Return the only stable equilibrium; None if a search from other positions finds a different one."""
     rest = equilibrium(mechanism)
     if rest is None or rest.linear:
@@ -155,7 +157,7 @@ def unique_equilibrium(mechanism: Mechanism) -> Rest | None:
     return rest if all(end is None or _same(rest, end, descent.loads) for end in ends) else None
 
 
-def neighbour(rest: Rest, shift: Vector) -> Vector:
+def neighbour(rest: Equilibrium, shift: Vector) -> Vector:
     """Return the coordinates (n,) of an admissible position near an equilibrium, displaced by `shift` (n,)."""
     loads, places = RestingLoads(rest.mechanism), rest.coordinates + shift
     for _ in range(3):
@@ -178,7 +180,7 @@ def _restores(mechanism: Mechanism) -> bool:
     return steady(mechanism) and not other and changing(mechanism) != ""
 
 
-def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
+def _same(one: Equilibrium, other: Equilibrium, loads: RestingLoads) -> bool:
     """Return whether two equilibria are equal up to whole turns and motions without restoring force."""
     difference = one.coordinates - other.coordinates
     difference = np.where(loads.hinges, np.remainder(difference + math.pi, 2.0 * math.pi) - math.pi, difference)
@@ -213,7 +215,7 @@ class _Descent:
         self.shortest, self.longest = min(lengths), max(lengths)
         self.scale = loads.largest(np.zeros(self.size) if places is None else places)
 
-    def rest(self) -> Rest | None:
+    def find_rest(self) -> Equilibrium | None:
         """Return the equilibrium reached from the start; strings that would have to push are released on the way."""
         places, both = np.zeros(self.size), self.loads.both
         spare = self.loads.at(places).spare
@@ -231,7 +233,7 @@ class _Descent:
             active = [number for number in active if number not in pushing]
         return None
 
-    def end(self, point: Vector, active: tuple[int, ...]) -> Rest | None:
+    def end(self, point: Vector, active: tuple[int, ...]) -> Equilibrium | None:
         """Return the equilibrium reached from a point with the same active rows; None if the search fails."""
         try:
             settled = self._settled(point, list(active))
@@ -286,7 +288,7 @@ class _Descent:
         loads = self.loads.at(places)
         return self._balanced(loads, null_space(loads.along[active], self.size).T @ loads.force, active)
 
-    def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
+    def _checked(self, places: Vector, active: list[int], forces: Vector) -> Equilibrium | None:
         """Return the equilibrium if all conditions hold and it is stable; else None."""
         free = null_space(self.loads.at(places).along[active], self.size)
         stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
@@ -297,4 +299,4 @@ class _Descent:
         balance = Balance(self.loads, places, active, forces)
         if not balance.holds(ZERO_FORCE_TOL * self.scale):
             return None
-        return Rest(balance.state(), free, stiffness, int((sizes <= threshold).sum()), tuple(active))
+        return Equilibrium(balance.state(), free, stiffness, int((sizes <= threshold).sum()), tuple(active))

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
-from sim2reason.scenes.dsl.state import State, displaced
+from sim2reason.scenes.dsl.state import State, displace
 from sim2reason.simulation.certify import SMOOTH, WITNESS
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
-from sim2reason.simulation.equilibrium import Rest, equilibrium, neighbour
+from sim2reason.simulation.equilibrium import Equilibrium, equilibrium, neighbour
 from sim2reason.simulation.loads import Vector
 from sim2reason.simulation.trace import ENGINES
 
@@ -30,7 +30,7 @@ class Oscillations:
     shapes: Vector  # the displacement of the coordinates in each mode, m or rad, (n, k), of arbitrary size
 
 
-def oscillations(rest: Rest) -> Oscillations | None:
+def oscillations(rest: Equilibrium) -> Oscillations | None:
     """Return the normal modes about a stable equilibrium; None with damping, gyroscopic forces or zero stiffness."""
     mechanism = rest.mechanism
     if not _conserves(mechanism):
@@ -52,7 +52,7 @@ def oscillations(rest: Rest) -> Oscillations | None:
     return Oscillations(np.sqrt(squares[moving]), rest.allowed @ axes @ shapes)
 
 
-def inertia(rest: Rest) -> Vector:
+def inertia(rest: Equilibrium) -> Vector:
     """Return the mass matrix of all coordinates at an equilibrium, (n, n)."""
     mechanism, places = rest.mechanism, rest.coordinates.tolist()
     assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * len(places), 0.0), math)
@@ -86,7 +86,7 @@ def agree_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) ->
     """
     if len(one.coordinates) != len(other.coordinates):
         return False
-    if _still(one) == _still(other):
+    if _without_speeds(one) == _without_speeds(other):
         return True
     rest, again = equilibrium(one), equilibrium(other)
     if rest is None or again is None:
@@ -95,7 +95,7 @@ def agree_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) ->
     return all(_same(mine[aspect], its[aspect]) for aspect in aspects)
 
 
-def _still(mechanism: Mechanism) -> Mechanism:
+def _without_speeds(mechanism: Mechanism) -> Mechanism:
     bodies = (
         replace(body, coordinates=tuple(replace(coordinate, speed=0.0) for coordinate in body.coordinates))
         for body in mechanism.bodies
@@ -103,7 +103,7 @@ def _still(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, bodies=tuple(bodies))
 
 
-def _facts(rest: Rest) -> dict[str, Vector]:
+def _facts(rest: Equilibrium) -> dict[str, Vector]:
     state = rest.state
     forces = [float(force[0]) for forces_by_name in (state.tension, state.normal) for force in forces_by_name.values()]
     return {
@@ -131,11 +131,11 @@ PHASE = 1e-3  # fraction of a period: largest phase error
 INSTANT = 1e-3  # s: duration of the simulation of a state at rest
 
 
-def equilibrium_disagreement(rest: Rest) -> str:
+def equilibrium_disagreement(rest: Equilibrium) -> str:
     """Return why the second engine disagrees about an equilibrium or its forces; empty if it agrees."""
     mechanism, still = rest.mechanism, [0.0] * len(rest.mechanism.coordinates)
     try:
-        there = displaced(mechanism, rest.coordinates.tolist(), still)
+        there = displace(mechanism, rest.coordinates.tolist(), still)
         seen = ENGINES[WITNESS](there, np.array([0.0, INSTANT])).state
     except (SceneError, SimulationError, UnsupportedError) as error:
         return f"no witness: {error}"
@@ -156,7 +156,7 @@ def _load(state: State) -> float:
     return max([weight, *(abs(float(force[0])) for force in forces if np.isfinite(force[0]))]) or 1.0
 
 
-def mode_disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
+def mode_disagreement(rest: Equilibrium, modes: Oscillations, number: int) -> str:
     """Return why the second engine disagrees about a normal mode of small amplitude; empty if it agrees."""
     mechanism, frequency, shape = rest.mechanism, float(modes.frequencies[number]), modes.shapes[:, number]
     system = System(mechanism)
@@ -166,7 +166,7 @@ def mode_disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
     begun = neighbour(rest, shift)
     times = np.linspace(0.0, np.pi / frequency, SAMPLES)
     try:
-        trace = ENGINES[WITNESS](displaced(mechanism, begun.tolist(), [0.0] * len(begun)), times)
+        trace = ENGINES[WITNESS](displace(mechanism, begun.tolist(), [0.0] * len(begun)), times)
     except (SceneError, SimulationError, UnsupportedError) as error:
         return f"no witness: {error}"
     if trace.stable_until < times[-1]:

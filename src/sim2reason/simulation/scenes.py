@@ -25,7 +25,7 @@ from sim2reason.errors import MotionEndsWarning, SceneError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.files import SceneLike, scene_of
+from sim2reason.scenes.files import SceneLike, as_scene
 from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
 from sim2reason.simulation.trace import ENGINES, Trace, ending
@@ -228,7 +228,7 @@ def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMP
         >>> max(certificate.agreement.values()) < 1e-9
         True
     """
-    scene = scene_of(scene, "certify")
+    scene = as_scene(scene, "certify")
     return certify_mechanism(scene.mechanism, _times(scene, duration, samples))
 
 
@@ -269,7 +269,7 @@ def simulate(
         >>> abs(trace.state.v[:, 0]).round(6)  # a block on a smooth slope has v = g t sin 30°
         array([0.  , 2.45, 4.9 ])
     """
-    scene = scene_of(scene, "simulate")
+    scene = as_scene(scene, "simulate")
     trace = simulate_full_duration(scene, duration, engine, samples)
     trace = truncate_trace(trace) if truncate else trace
     if duration is not None and trace.stable_until < duration:

@@ -6,14 +6,14 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from sim2reason.base.records import cached_property, counted
+from sim2reason.base.records import cached_property, format_count
 from sim2reason.base.registry import Registry
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 
-SHOWN = 10  # largest number of events in the text of a trace
+MAX_LISTED_EVENTS = 10  # largest number of events in the text of a trace
 EVENT_TIME_RTOL = 1e-9  # relative: events with a smaller difference of time are simultaneous
 
 
@@ -53,7 +53,7 @@ IMPACTS = frozenset({"collision", "taut", "land"})
 """Kinds of events at which velocities jump, so that forces and accelerations are infinite."""
 
 
-def in_order(times: Array) -> Array:
+def sorted_unique(times: Array) -> Array:
     """Return instants (n,) in ascending order without repeats, faster than `np.unique` for small arrays."""
     sorted_times: Array = np.sort(times)
     return sorted_times[np.append(sorted_times[1:] != sorted_times[:-1], True)] if len(sorted_times) else sorted_times
@@ -118,16 +118,16 @@ class Trace:
 
     def __repr__(self) -> str:
         """Return the engine, the numbers of coordinates, samples and events, and the time until which it is valid."""
-        count = counted(len(self.mechanism.coordinates), "coordinate")
-        samples, events = counted(len(self.state.times), "sample"), counted(len(self.events), "event")
+        count = format_count(len(self.mechanism.coordinates), "coordinate")
+        samples, events = format_count(len(self.state.times), "sample"), format_count(len(self.events), "event")
         until = f"valid until {self.stable_until:.6g} {self.mechanism.units.time}"
         return f"<Trace by the {self.engine} engine: {count}, {samples}, {events}, {until}>"
 
     def __str__(self) -> str:
         """Return the line of `repr`, a line for each of the first events, and the reason if the motion ends early."""
-        unit, more = self.mechanism.units.time, len(self.events) - SHOWN
-        events = [f"  {e.time:.6g} {unit}: {e.kind} ({', '.join(e.subjects)})" for e in self.events[:SHOWN]]
-        rest = [f"  and {counted(more, 'more event')}"] if more > 0 else []
+        unit, more = self.mechanism.units.time, len(self.events) - MAX_LISTED_EVENTS
+        events = [f"  {e.time:.6g} {unit}: {e.kind} ({', '.join(e.subjects)})" for e in self.events[:MAX_LISTED_EVENTS]]
+        rest = [f"  and {format_count(more, 'more event')}"] if more > 0 else []
         end = [f"  ends because {ending(self)}"] if self.cut else []
         return "\n".join([repr(self)[1:-1], *events, *rest, *end])
 
@@ -215,7 +215,7 @@ class Trace:
         end = min(self.stable_until, float(self.state.times[-1]))
         events = np.array([event.time for event in self.events])
         borders = np.concatenate([[0.0, end], self.knots(), events, np.nextafter(events, 0.0)])
-        borders = in_order(borders[(borders >= 0.0) & (borders <= end)])
+        borders = sorted_unique(borders[(borders >= 0.0) & (borders <= end)])
         if len(borders) < 2:
             return self.sample(borders)
         pieces = min(
@@ -223,7 +223,7 @@ class Trace:
         )
         shares = np.arange(pieces) / pieces
         inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
-        return self.sample(in_order(np.append(inner.ravel(), end)))
+        return self.sample(sorted_unique(np.append(inner.ravel(), end)))
 
 
 def ending(trace: Trace) -> str:

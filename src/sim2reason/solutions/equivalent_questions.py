@@ -31,7 +31,7 @@ from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS
 from sim2reason.solutions.writing.steps import SolutionBuilder
 
-SAME = 1e-9  # relative: how well an extreme value is that at an end
+VALUE_RTOL = 1e-9  # relative: how well an extreme value is that at an end
 SAMPLES = 2000  # instants of a stretch at which a function is looked at
 LEAST_CHANGE = 1e-9  # of the greatest value: a function that changes by less is constant
 SPEEDS = frozenset({"velocity", "kinetic energy"})
@@ -67,7 +67,7 @@ def at_end(setting: ProblemContext) -> ProblemContext | None:
 
 
 def _same(one: float, other: float | None) -> bool:
-    return other is not None and abs(one - other) <= SAME * abs(other)
+    return other is not None and abs(one - other) <= VALUE_RTOL * abs(other)
 
 
 def _ends(setting: ProblemContext, query: StretchQuery) -> Iterator[Moment]:
@@ -197,7 +197,7 @@ def _event_within(setting: ProblemContext) -> float | None:
     """Return the time, s, of the moment of the extreme value if it is inside the interval; None if at an end."""
     moment = setting.query.moment
     time = setting.study.time(moment) if moment is not None else None
-    if time is None or isinstance(moment, AtStart) or not time < _until(setting) * (1.0 - SAME):
+    if time is None or isinstance(moment, AtStart) or not time < _until(setting) * (1.0 - VALUE_RTOL):
         return None
     return time
 
@@ -252,7 +252,7 @@ def _of_rate(setting: ProblemContext, quantity: str, *, grows: bool, last: bool)
     return f"All this time {why}, so the {query.functional} is that {end}."
 
 
-def tell_reason(setting: ProblemContext, book: SolutionBuilder, goal: str) -> None:
+def write_reason(setting: ProblemContext, book: SolutionBuilder, goal: str) -> None:
     """Write why the value found for an end of the interval is the extreme one.
 
     If the text gives that value, nothing else is needed.

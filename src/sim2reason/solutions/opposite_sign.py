@@ -18,7 +18,7 @@ from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # never negative
-ONLY = "Only a magnitude is given;"
+MAGNITUDE_ONLY = "Only a magnitude is given;"
 """Beginning of the sentence that excludes the opposite sign."""
 SINES = {"arcsin": "sine", "arccos": "cosine"}
 
@@ -49,7 +49,7 @@ def exclude_opposite_sign(
         if reason is None and number == len(inverse_chain) - 1:
             reason = _out_of_range(book, step, goal, name, formula)
         if reason is not None:
-            step.add_text(f"{ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
+            step.add_text(f"{MAGNITUDE_ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
             return bool(reason)
         values[name] = formula
     return False
@@ -123,7 +123,7 @@ def _inner_first(formula: Expression) -> Iterator[Expression]:
     yield formula
 
 
-OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
+OPPOSITE_SIGN_LEAD = f"{MAGNITUDE_ONLY} with the opposite sign, for which {{}} would be {{}}"
 """Beginning of the sentence that excludes a value of the unknown with which the goal has the opposite sign."""
 
 
@@ -143,5 +143,5 @@ def write_sign_reason(
     others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
     if not others:
         what = range_text(roots.unknown, roots.book)
-        step.add_text(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
-    roots.schedule_exclusion(others, OPPOSITE)
+        step.add_text(f"{MAGNITUDE_ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
+    roots.schedule_exclusion(others, OPPOSITE_SIGN_LEAD)

@@ -15,7 +15,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, Uns
 
 Sides = tuple[Expression, Expression]
 """The left and right sides of an equation."""
-OTHER = "With the other root for {}, {}"
+OTHER_ROOT_LEAD = "With the other root for {}, {}"
 MAX_COMPARISON_LENGTH = 6000  # maximum length of the LaTeX of a comparison after substitution
 UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
@@ -27,7 +27,7 @@ class OtherRoots:
         """Take the symbol of the unknown and a function that returns the chain of formulas on which a name depends."""
         self.book, self.unknown, self._chain = book, unknown, chain
 
-    def tell(
+    def write_exclusions(
         self, step: StepBuilder, name: str, found: Expression, others: Sequence[float], written: Sequence[Sides]
     ) -> None:
         """Write why the other roots of the equation for a name are excluded.
@@ -67,7 +67,7 @@ class OtherRoots:
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
 
-    def schedule_exclusion(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
+    def schedule_exclusion(self, others: Sequence[float], lead: str = OTHER_ROOT_LEAD, *, must: bool = False) -> None:
         """Schedule a final step that excludes other values of the unknown, by an assumed inequality that they violate.
 
         It is written when all assumed comparisons are. The sentence begins with `lead`. With `must`, UnsolvedError is
@@ -78,7 +78,7 @@ class OtherRoots:
             if value > 0.0 and self.book.passage and self.book.units[self.unknown] == SECONDS:
                 self.book.checks.setdefault((self, value), partial(self._tell_passage, value))
             elif 0.0 < value < (0.5 * pi if right_angle else inf):  # of a greater angle the text says that it is one
-                self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead, must=must))
+                self.book.checks.setdefault((self, value), partial(self._write_exclusion, value, lead, must=must))
 
     def _tell_passage(self, value: float) -> None:
         """Write why a first or second time excludes the other root: that root is later, or earlier."""
@@ -90,7 +90,7 @@ class OtherRoots:
         step.add_text(f"{other} is {'earlier' if earlier else 'later'}: ${name.name}$ is the {ordinal} time.")
         step.close()
 
-    def _tell_excluded(self, value: float, lead: str, *, must: bool) -> None:
+    def _write_exclusion(self, value: float, lead: str, *, must: bool) -> None:
         formulas = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
         relations = [relation for step in self.book.steps for relation in step.relations]
         for relation in relations:

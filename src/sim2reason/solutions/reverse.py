@@ -17,7 +17,7 @@ from sim2reason.solutions.algebra.evaluated import (
     loses_digits,
     numeric_parts,
 )
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, sum_terms
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.root_finding import (
     evaluate_known_parts,
@@ -101,7 +101,7 @@ class Inversion:
     def write(self, spelled: str = "") -> str:
         """Write the steps to the unknown and return its symbol; `spelled` is the given result as text, "" for zero."""
         book, at = self.book, self.goal
-        formula, value = self._begun(spelled)
+        formula, value = self._initial_equation(spelled)
         for _ in range(MAX_SUBSTITUTIONS):
             if any(book.is_hidden(part) for part in numeric_parts(formula)):
                 raise UnsolvedError("it would need numbers that are not known")
@@ -130,7 +130,7 @@ class Inversion:
             self._inserted.append(last)
         return self._numerically(at)
 
-    def _begun(self, spelled: str) -> tuple[Expression, Expression]:
+    def _initial_equation(self, spelled: str) -> tuple[Expression, Expression]:
         """Return both sides of goal formula = given value; for a goal defined by an equation, its residual and zero."""
         book, formula = self.book, self._defined
         if spelled:
@@ -148,7 +148,7 @@ class Inversion:
         plain = as_one_fraction(formula, self.unknown)
         if len(plain.latex()) <= MAX_FORMULA_LENGTH:
             return plain
-        return evaluate_known_parts(formula, frozenset(self.book.hidden), self.book.worked)
+        return evaluate_known_parts(formula, frozenset(self.book.hidden), self.book.defer_to_number)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
         """Return both sides of formula = value for a name; for one defined by an equation, its residual and zero."""
@@ -161,7 +161,7 @@ class Inversion:
         solution = solved_for(name, formula, value, book.values)
         if isinstance(solution, NumericRoot) or len(solution.latex()) > MAX_FORMULA_LENGTH:
             short = self._in_numbers(name, formula)
-            power = as_power(short, name, book.worked)
+            power = as_power(short, name, book.defer_to_number)
             if power is not None:
                 return solved_for(name, power, value, book.values)
             solution = solved_for(name, short, value, book.values, self._worked)
@@ -174,12 +174,12 @@ class Inversion:
 
     def _worked(self, held: Polynomial) -> Expression:
         """Return the value of a coefficient, with guard digits if a difference of such numbers would lose digits."""
-        value = self.book.worked(held.factored())
+        value = self.book.defer_to_number(held.factored())
         return replace(value, guarded=True) if self._guarded and isinstance(value, NumericFormula) else value
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
         """Replace all symbols of a formula except one by their numerical values."""
-        return evaluate_known_parts(formula, frozenset({name}), self.book.worked)
+        return evaluate_known_parts(formula, frozenset({name}), self.book.defer_to_number)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
         """Return the further values of a name that satisfy formula = value, besides its known one."""
@@ -210,7 +210,7 @@ class Inversion:
             return None
         if next(numeric_parts(found), None) is not None:
             short = self._in_numbers(name, formula)
-            formula = as_power(short, name, self.book.worked) or short
+            formula = as_power(short, name, self.book.defer_to_number) or short
         formula = as_one_fraction(formula, name)
         return (value, formula) if len(formula.latex()) <= MAX_FORMULA_LENGTH else None
 
@@ -226,8 +226,8 @@ class Inversion:
         chain = self._chain(at, *names)
         near = book.values[self.unknown]
         closed = closed_root(chain, Symbol(at), self.unknown, book.values)
-        root = closed or NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
-        book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
+        root = closed or NumericRoot(sum_terms(chain, -Symbol(at)), self.unknown, near)
+        book.condition_number = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.begin_step(SOLVE_KIND)
         if not self.stated:
@@ -319,7 +319,7 @@ class Inversion:
             self.book.refresh(name, self.book.values[name])
         step.add_text(f"{where}{how}{step.closed(Symbol(name), found)}.")
         if not isinstance(found, NumericRoot):
-            self._roots.tell(step, name, found, others, written)
+            self._roots.write_exclusions(step, name, found, others, written)
         self._found.append((name, found))
         if name == self.unknown:
             write_sign_reason(self._roots, step, self._signed, self._found)

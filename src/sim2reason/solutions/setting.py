@@ -45,7 +45,7 @@ class ProblemContext:
     most: Need = Need.INTEGRATION  # what a solution may need; one that needs more is none
 
     @classmethod
-    def of(cls, question: Question, study: SimulatedScene, words: Words, description: Description) -> Self:
+    def from_query(cls, question: Question, study: SimulatedScene, words: Words, description: Description) -> Self:
         """Build the problem context of a question with an answer; an unknown parameter has its symbol in the text.
 
         A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
@@ -69,7 +69,7 @@ class ProblemContext:
         target = self.query.target
         if target is None or target.sense is None:
             return target
-        return replace(target, sense=replace(target.sense, vector=target.way(self.mechanism)))
+        return replace(target, sense=replace(target.sense, vector=target.direction(self.mechanism)))
 
     @cached_property
     def lexicon(self) -> Lexicon:

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, fields, replace
 from math import degrees
 from typing import Literal
 
-from sim2reason.base.records import abridged, cached_property, counted
-from sim2reason.grading.parts import LABELS
+from sim2reason.base.records import abridge, cached_property, format_count
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.questions.difficulty import Need, most_advanced
 from sim2reason.questions.spoken_units import SpokenUnits
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
@@ -179,7 +179,9 @@ class Solution:
     formula: str = ""  # the answer to a problem in symbols
     is_modulus: bool = False  # the formula is the absolute value of the goal, which may be negative
     scale: float = 1.0  # factor from `unit` to the unit of the answer, except for degrees
-    keen: float = 1.0  # condition number: relative change of the given result per relative change of the unknown
+    condition_number: float = (
+        1.0  # condition number: relative change of the given result per relative change of the unknown
+    )
     phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and the factor to it from the unit of the answer
@@ -190,8 +192,8 @@ class Solution:
     def __repr__(self) -> str:
         """Return the strategy, the number of steps and the answer, or the reason why there is none."""
         if self.answer is None:
-            return f"<Solution: none, {abridged(self.reason, 120)}>"
-        return f"<Solution by {self.strategy}: {counted(len(self.steps), 'step')}, answer {self.answer:.6g}>"
+            return f"<Solution: none, {abridge(self.reason, 120)}>"
+        return f"<Solution by {self.strategy}: {format_count(len(self.steps), 'step')}, answer {self.answer:.6g}>"
 
     def __str__(self) -> str:
         """Return the text of the solution, or the reason why there is none."""
@@ -259,10 +261,12 @@ class PartsSolution(Solution):
     @property
     def text(self) -> str:
         """Return the solutions of all parts with their labels, and all answers in one box."""
-        texts = [f"({label}) {_unboxed_text(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
+        texts = [f"({label}) {_unboxed_text(part)}" for label, part in zip(PART_LABELS, self.parts, strict=False)]
         if self.answer is not None:
             boxes = (_BOX.search(part.text) for part in self.parts)
-            answers = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
+            answers = "; ".join(
+                f"({label}) {box[1] if box else ''}" for label, box in zip(PART_LABELS, boxes, strict=False)
+            )
             texts.append(rf"Answers: $\boxed{{{answers}}}$.")
         return "\n\n".join(texts)
 
@@ -280,7 +284,7 @@ class ChosenSolution(Solution):
         return f"{text}\n\n" + rf"That is option $\boxed{{\text{{{self.letter}}}}}$."
 
 
-def chosen(solution: Solution, letter: str) -> Solution:
+def choice_solution(solution: Solution, letter: str) -> Solution:
     """Return the solution of a multiple-choice question from the solution of the plain question."""
     field_values = {each.name: getattr(solution, each.name) for each in fields(Solution)}
     return ChosenSolution(**field_values, letter=letter)
@@ -288,7 +292,7 @@ def chosen(solution: Solution, letter: str) -> Solution:
 
 def combine_parts(parts: Sequence[Solution]) -> Solution:
     """Return one solution of all parts; if a part has no answer, one without an answer whose reason names this part."""
-    for label, part in zip(LABELS, parts, strict=False):
+    for label, part in zip(PART_LABELS, parts, strict=False):
         if part.answer is None:
             return Solution("", reason=f"part ({label}): {part.reason}")
     names = dict.fromkeys(part.strategy for part in parts)

@@ -15,7 +15,7 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numeric_parts
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.closed_forms.symbolic_answers import needs_modulus, with_final_algebra
-from sim2reason.solutions.equivalent_questions import number_unit, tell_reason
+from sim2reason.solutions.equivalent_questions import number_unit, write_reason
 from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
 from sim2reason.solutions.multipart.names import rename_solution
 from sim2reason.solutions.opposite_sign import states_only_magnitude
@@ -24,7 +24,7 @@ from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import ANSWER_RTOL, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, applicable_strategies, strategies_for_kind
 from sim2reason.solutions.verification import verify_solution
-from sim2reason.solutions.writing.arrangement import SOLVE_KIND, group_steps, in_order, merged, without_repeats
+from sim2reason.solutions.writing.arrangement import SOLVE_KIND, group_steps, in_order, merge_steps, without_repeats
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.notation import DEGREES
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
@@ -56,7 +56,7 @@ def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = Tru
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
-        solution = _kept(strategy, setting, derived=derived)
+        solution = _solve_cached(strategy, setting, derived=derived)
         if solution.answer is not None and best is not None and solution.needs >= best.needs:
             continue
         solution = verify_solution(solution, setting) if checked and not derived else solution
@@ -69,7 +69,7 @@ def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = Tru
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
 
 
-def _kept(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solution:
+def _solve_cached(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solution:
     """Return the worked solution of a question by one strategy, from the cache if possible.
 
     The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the
@@ -130,7 +130,7 @@ def _written(
         goal = strategy.write(setting, book)
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
         if setting.extreme is not None:
-            tell_reason(setting, book, goal)
+            write_reason(setting, book, goal)
             book.units[goal] = book.units.get(goal) or setting.unit  # the text tells the unit of what it gives
         late = {*book.hidden, book.sought}
         if not book.in_symbols:
@@ -161,7 +161,7 @@ def _unanswered_solution(
         unit=book.units.get(goal, ""),
         stated=tuple(name for name in book.stated if name not in book.constants),
         constants=book.constants,
-        keen=book.keen,
+        condition_number=book.condition_number,
         phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
         whole=counted,
         is_modulus=needs_modulus(setting, book, Symbol(goal), setting.query.subject),
@@ -211,7 +211,7 @@ def setting_of(parsed: ParsedPrompt) -> ProblemContext:
     limited = parsed.query.hides if given is not None else ""
     unknown = next((path for path in parsed.reading.unknown if path != limited), "")
     if unknown and given is not None:
-        answer = parsed.counted
+        answer = parsed.is_count
         if answer is None:
             return ProblemContext(scene, Words.of(scene, mentions), named, study, parsed.query)
         study = SimulatedScene.of(scene.having(unknown, answer), study.trace.state.times)
@@ -226,7 +226,7 @@ def _noun(mention: str) -> str:
 def _text_steps(book: SolutionBuilder, goal: str, late: AbstractSet[str]) -> list[Step]:
     """Return the steps that lead to the goal, ordered and merged for the text."""
     ordered = in_order(_needed(book.steps, goal), book.earliest, late)
-    return without_repeats(group_steps(merged(after_what_they_rest_on(ordered, late))))
+    return without_repeats(group_steps(merge_steps(after_what_they_rest_on(ordered, late))))
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:

@@ -10,7 +10,7 @@ from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL, Solution
 
 STATED_RESULT_RTOL = 1e-5  # relative tolerance of stated results, which have five digits
-WHY = "recomputed from what it states, it does not lead to the answer"
+RECOMPUTATION_FAILED = "recomputed from what it states, it does not lead to the answer"
 
 
 def verify_solution(
@@ -24,7 +24,7 @@ def verify_solution(
     if solution.answer is None:
         return solution
     reason = verification_fault(as_data(solution), setting, earlier)
-    return Solution(solution.strategy, reason=f"{WHY}: {reason}") if reason else solution
+    return Solution(solution.strategy, reason=f"{RECOMPUTATION_FAILED}: {reason}") if reason else solution
 
 
 def verification_fault(data: Data, setting: ProblemContext, earlier: Mapping[str, float] | None = None) -> str:

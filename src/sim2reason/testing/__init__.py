@@ -32,7 +32,7 @@ __all__ = [
 ]
 
 SEEDS = range(6)
-DRAWN = "drawn"  # the check's name for scenes that cannot be drawn
+DRAWING_CHECK = "drawn"  # the check's name for scenes that cannot be drawn
 
 
 def check_entity(
@@ -105,10 +105,14 @@ def _drawn(cls: type[Entity], seed: int) -> Specimen | Finding:
         return specimen(cls, seed)
     except DrawError as error:
         return Finding(
-            DRAWN, expected, str(error), "give every number a Range, and bound ranges that exclude each other", seed
+            DRAWING_CHECK,
+            expected,
+            str(error),
+            "give every number a Range, and bound ranges that exclude each other",
+            seed,
         )
     except Exception as error:  # noqa: BLE001 - whatever a stranger's class raises is a finding
-        return Finding(DRAWN, expected, _told(error), REMEDY, seed)
+        return Finding(DRAWING_CHECK, expected, _describe_error(error), REMEDY, seed)
 
 
 REMEDY = "raise SceneError, or let a validator refuse the values, where something can not be"
@@ -119,9 +123,9 @@ def _caught(name: str, findings: Iterator[Finding]) -> Iterator[Finding]:
     try:
         yield from findings
     except Exception as error:  # noqa: BLE001 - the same
-        yield Finding(name, "no exception but those of sim2reason.errors", _told(error), REMEDY)
+        yield Finding(name, "no exception but those of sim2reason.errors", _describe_error(error), REMEDY)
 
 
-def _told(error: Exception) -> str:
+def _describe_error(error: Exception) -> str:
     last = extract_tb(error.__traceback__)[-1]
     return f"{type(error).__name__}: {error} (raised in {last.filename}, line {last.lineno})"

@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isclose
 from typing import Any
 
-from sim2reason.solutions.checking import COMPARED
+from sim2reason.solutions.checking import COMPARISON_ROLE
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
 from sim2reason.solutions.checking.trees import Tree, symbols, value
@@ -51,11 +51,11 @@ def _copy(data: Mapping[str, Any]) -> Data:
 def _idle(data: Data) -> list[Data]:
     """Return the equations that the answer does not need: comparisons, and those for names not used elsewhere."""
     every = [relation for step in data["steps"] for relation in step["relations"]]
-    relations = [relation for relation in every if relation["role"] != COMPARED]
+    relations = [relation for relation in every if relation["role"] != COMPARISON_ROLE]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
     fixed = {name for phase in _phases(data) for tree in formulas(phase) for name in symbols(tree)}
     fixed |= {str(data["goal"]), *data["givens"], *(name for phase in _phases(data) for _, name in phase["ends"])}
-    idle = [relation for relation in every if relation["role"] == COMPARED]
+    idle = [relation for relation in every if relation["role"] == COMPARISON_ROLE]
     while more := _last_named(relations, names, fixed, str(data["goal"])):
         idle += more
         relations = [relation for relation in relations if not any(relation is other for other in more)]
@@ -146,7 +146,7 @@ def _change_jump(data: Data, number: int | None, values: Mapping[str, float]) ->
 
 def _exchange_sides(data: Data, number: int | None, values: Mapping[str, float]) -> int:
     del values
-    compared = [r for step in data["steps"] for r in step["relations"] if r["role"] == COMPARED]
+    compared = [r for step in data["steps"] for r in step["relations"] if r["role"] == COMPARISON_ROLE]
     if number is not None:
         relation = compared[number]
         relation["left"], relation["right"] = relation["right"], relation["left"]
@@ -223,7 +223,7 @@ def _change(
 def _holds(relation: Data, values: Mapping[str, float]) -> bool:
     """Return whether a relation holds for the correct values; False if it cannot be evaluated alone."""
     try:
-        return Equation.of(relation["left"], relation["right"]).holds(values)
+        return Equation.from_trees(relation["left"], relation["right"]).holds(values)
     except (KeyError, ValueError, ArithmeticError):
         return False
 

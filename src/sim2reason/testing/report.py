@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.errors import ConformanceError
 
-FULL = 3  # findings of one check that are reported in full
+MAX_FULL_FINDINGS = 3  # findings of one check that are reported in full
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,14 +59,16 @@ class Report:
         made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
         if not self.findings:
             return f"{self.entity}: {made}, nothing found"
-        details = "\n\n".join(self._told(check) for check in dict.fromkeys(finding.check for finding in self.findings))
+        details = "\n\n".join(
+            self._check_text(check) for check in dict.fromkeys(finding.check for finding in self.findings)
+        )
         return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{details}"
 
-    def _told(self, check: str) -> str:
+    def _check_text(self, check: str) -> str:
         """Return the first findings of a check in full, and the number of the others."""
         findings = [finding for finding in self.findings if finding.check == check]
-        more = [f"{check}: and {len(findings) - FULL} more"] if len(findings) > FULL else []
-        return "\n\n".join([*(finding.text for finding in findings[:FULL]), *more])
+        more = [f"{check}: and {len(findings) - MAX_FULL_FINDINGS} more"] if len(findings) > MAX_FULL_FINDINGS else []
+        return "\n\n".join([*(finding.text for finding in findings[:MAX_FULL_FINDINGS]), *more])
 
     def raise_for_findings(self) -> None:
         """Raise ConformanceError with all findings, if there are any."""

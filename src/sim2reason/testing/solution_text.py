@@ -16,8 +16,8 @@ from sim2reason.solutions.writing.notation import DEGREES, unit_of
 from sim2reason.testing.solution_verification import LabelSum, label_sums
 
 FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")
-DEEP = 12  # nested braces
-BRACED = reduce(lambda inside, _: rf"(?:[^{{}}$]|\{{{inside}\}})*", range(DEEP), "[^{}$]*")
+MAX_BRACE_DEPTH = 12  # nested braces
+BRACED = reduce(lambda inside, _: rf"(?:[^{{}}$]|\{{{inside}\}})*", range(MAX_BRACE_DEPTH), "[^{}$]*")
 ANSWER = re.compile(
     r"\$(?P<goal>[^$=]*?)(?: = (?P<number>[^$=]*?))? (?P<sign>\\approx|=) "
     rf"\\boxed\{{(?P<boxed>{BRACED})\}}(?P<unit>[^$]*)\$"
@@ -231,7 +231,7 @@ def _name(chain: str, table: frozenset[str]) -> str:
 
 PART = re.compile(r"^\((?P<label>[a-h])\) ", re.MULTILINE)
 RECALL = re.compile(r"^From part \((?P<label>[a-h])\), (?P<results>.*)\.$", re.MULTILINE)
-LABELLED = re.compile(r"(?<![^\s])(\(\d+\))(?: [A-Z][^$()]*)? \$([^$]+)\$")
+LABELLED_PATTERN = re.compile(r"(?<![^\s])(\(\d+\))(?: [A-Z][^$()]*)? \$([^$]+)\$")
 
 
 def part_faults(text: str) -> list[str]:
@@ -248,7 +248,7 @@ def part_faults(text: str) -> list[str]:
     faults += [f"does not hold: {broken}" for broken in parsed.broken]
     faults += [f"cannot be read: {unread}" for unread in parsed.unread]
     equations: dict[str, str] = {}
-    for label, formula in LABELLED.findall(body):
+    for label, formula in LABELLED_PATTERN.findall(body):
         if equations.setdefault(label, formula) != formula:
             faults.append(f"{label} stands for two equations")
     return faults

@@ -18,14 +18,14 @@ from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution
 from sim2reason.solutions.writing.arrangement import TIME
 
-FAINT = 1e-8  # relative residual of a combination of laws for a row that follows from them
+RESIDUAL_RTOL = 1e-8  # relative residual of a combination of laws for a row that follows from them
 ROUNDING = 1e-13  # SI units: rounding error of numbers that cancel
 ASIDE, ROUNDS = 0.03, 6  # relative displacement of free values; Newton steps back onto the laws
-AWAY = 1e-3  # relative displacement of given values to detect coincidences
-CARRIED = 5e-3  # relative error of the answer from numbers rounded to five digits
-SEEN = {"threshold": 1e-7, "optimum": 1e-6, "limit": 1e-7}
+DISPLACEMENT_RATIO = 1e-3  # relative displacement of given values to detect coincidences
+ROUNDED_RTOL = 5e-3  # relative error of the answer from numbers rounded to five digits
+RTOL_BY_KIND = {"threshold": 1e-7, "optimum": 1e-6, "limit": 1e-7}
 """By kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can; extremes are flat."""
-KNOWN = ("given",)  # roles of names that no law needs to determine
+KNOWN_ROLES = ("given",)  # roles of names that no law needs to determine
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
@@ -37,12 +37,12 @@ def words(text: str) -> int:
 def faults(solution: Solution, answer: float, within: float = RELATION_RTOL) -> list[str]:
     """Return all faults of a solution, in words; `answer` is the engine's, in the unit of the question.
 
-    `within` is the engine's relative accuracy, see `SEEN`, or that of the given result if a number is unknown.
+    `within` is the engine's relative accuracy, see `RTOL_BY_KIND`, or that of the given result if a number is unknown.
     """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
     problems: list[str] = []
-    if abs(solution.answer - answer) > within / min(1.0, solution.keen or 1.0) * abs(answer):
+    if abs(solution.answer - answer) > within / min(1.0, solution.condition_number or 1.0) * abs(answer):
         problems.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
     problems += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
     problems += [f"recomputed: {fault}" for fault in recompute(as_data(solution)).faults]
@@ -50,7 +50,7 @@ def faults(solution: Solution, answer: float, within: float = RELATION_RTOL) -> 
         return problems
     problems += undetermined(solution)
     carried = by_digits(solution)
-    if not abs(carried - answer) <= CARRIED * abs(answer):  # also where it is not a number
+    if not abs(carried - answer) <= ROUNDED_RTOL * abs(answer):  # also where it is not a number
         problems.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
     return problems
 
@@ -74,8 +74,8 @@ def undetermined(solution: Solution) -> list[str]:
 
     Solutions with an integrated phase are not allowed.
     """
-    relations = [r for r in solution.relations if r.role not in (*KNOWN, *CHECKS)]
-    known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
+    relations = [r for r in solution.relations if r.role not in (*KNOWN_ROLES, *CHECKS)]
+    known = {name for r in solution.relations if r.role in KNOWN_ROLES for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
     index = {name: number for number, name in enumerate(names)}
     values = dict(solution.values)
@@ -138,8 +138,8 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
         if not isinstance(relation.left, Symbol) or relation.role in CHECKS:  # that may be so here alone
             continue
         name = relation.left.name
-        if relation.role in KNOWN:
-            values[name] *= 1.0 + AWAY * (1.0 + number % 7) / 7.0
+        if relation.role in KNOWN_ROLES:
+            values[name] *= 1.0 + DISPLACEMENT_RATIO * (1.0 + number % 7) / 7.0
         elif name not in known and all(other in known for other in relation.right.symbols()):
             values[name] = float(relation.right.value(values).real)
         else:
@@ -159,7 +159,7 @@ def _spared(laws: Sequence[Relation], values: dict[str, float], index: dict[str,
         return True
     sizes = _sizes(values, index)
     _, spread, ways = np.linalg.svd(matrix * sizes)
-    free = ways[int((spread > FAINT * spread.max(initial=0.0)).sum()) :]
+    free = ways[int((spread > RESIDUAL_RTOL * spread.max(initial=0.0)).sum()) :]
     direction = free.sum(axis=0)
     away = values | {name: values[name] + ASIDE * sizes[k] * float(direction[k]) for name, k in index.items()}
     for _ in range(ROUNDS):
@@ -191,7 +191,7 @@ def _spanned(rows: Sequence[Array], goal: Array) -> bool:
         return not size
     matrix = np.array(rows).T
     weights, *_ = np.linalg.lstsq(matrix, goal, rcond=1e-12)
-    return bool(np.abs(matrix @ weights - goal).max() <= FAINT * size)
+    return bool(np.abs(matrix @ weights - goal).max() <= RESIDUAL_RTOL * size)
 
 
 def by_digits(solution: Solution, digits: int = DIGITS) -> float:
@@ -213,8 +213,10 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
 
 
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
-WITH = r"(?:, with [^:$]*)?"  # names the equations that were substituted
-SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+){WITH}: (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
+SUBSTITUTION_PATTERN = r"(?:, with [^:$]*)?"  # names the equations that were substituted
+SUM = re.compile(
+    rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+){SUBSTITUTION_PATTERN}: (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$"
+)
 PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
 LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$().]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
 LIGHT = "is light"  # marks a balance of forces without acceleration
@@ -230,13 +232,13 @@ class LabelSum:
     text: str
     out: Excess
     parts: tuple[tuple[Excess, Excess], ...]  # weights, which may hold symbols, and equations
-    held: tuple[Excess, ...]  # what goes on holding
-    moved: tuple[str, ...]
+    equations: tuple[Excess, ...]  # what goes on holding
+    changed: tuple[str, ...]
 
     def holds(self, values: Mapping[str, float]) -> bool:
         """Return whether the sum of the equations and its stated result depend equally on all unknowns."""
-        names = [name for name in self.moved if name in values]
-        rows = [row for excess in self.held if (row := _gradient(excess, values, names)) is not None and row.any()]
+        names = [name for name in self.changed if name in values]
+        rows = [row for excess in self.equations if (row := _gradient(excess, values, names)) is not None and row.any()]
         free = _free(rows, len(names))
         out = _gradient(self.out, values, names)
         terms = [_gradient(excess, values, names) for _, excess in self.parts]

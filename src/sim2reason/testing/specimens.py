@@ -28,7 +28,7 @@ from sim2reason.text.prose.description import Description, describe
 from sim2reason.text.prose.voices import numeric
 
 
-def changed(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:
+def change_numbers(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:
     """Return a scene with several numbers changed at once, by address; None if it is invalid."""
     try:
         entities = tuple(replace_validated(n, entity=_with(n.entity, n.name, numbers)) for n in scene.entities)
@@ -89,12 +89,12 @@ def _worded(value: Body | Part, name: str) -> bool:
     return any(word.parameter == name and field_value in word.special for word in value.words.values())
 
 
-IT = "it"  # name of the entity in its scenes
+ENTITY_NAME = "it"  # name of the entity in its scenes
 SAMPLES = 41
 TRIES = 40  # draws for one scene
-NARROW = 8  # first draws, in which ports are closed by entities without bodies
-PATIENT = 24  # draws after which a scene without motion or questions is accepted
-SHORT = 0.05  # of the horizon: shortest certified motion
+NARROW_DRAWS = 8  # first draws, in which ports are closed by entities without bodies
+MAX_CHOOSY_DRAWS = 24  # draws after which a scene without motion or questions is accepted
+MIN_MOTION_FRACTION = 0.05  # of the horizon: shortest certified motion
 REST_TOLERANCE = 1e-6  # m, m/s or rad; smaller changes are no motion
 
 
@@ -146,7 +146,7 @@ class Specimen:
     @property
     def moves(self) -> bool:
         """Return whether anything in it moves enough to be checked."""
-        if self.end <= SHORT * self.scene.horizon:
+        if self.end <= MIN_MOTION_FRACTION * self.scene.horizon:
             return False
         state = self.study.trace.state
         return bool(max(np.abs(state.q).max(initial=0.0), np.abs(state.v).max(initial=0.0)) > REST_TOLERANCE)
@@ -185,7 +185,9 @@ def specimen(cls: type[Entity], seed: int) -> Specimen:
         rng = np.random.default_rng([seed, attempt])
         try:
             entity = draw(cls, rng, choices(cls, rng))
-            candidate = Specimen(seed, close_ports(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
+            candidate = Specimen(
+                seed, close_ports(Named(name=ENTITY_NAME, entity=entity), rng, widely=attempt >= NARROW_DRAWS)
+            )
             candidate.scene.check()
             _ = candidate.description  # also what can't be told is drawn again
             moves = candidate.moves  # and what an engine says can not be
@@ -195,7 +197,7 @@ def specimen(cls: type[Entity], seed: int) -> Specimen:
         if moves and candidate.targets:
             return candidate
         still = still or candidate
-        if attempt >= PATIENT:
+        if attempt >= MAX_CHOOSY_DRAWS:
             break
     if still is None:
         raise DrawError(f"{cls.__name__}: none of {TRIES} draws is a scene; the last: {refused}")

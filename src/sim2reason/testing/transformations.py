@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.scenes.dsl.fields import Law
 from sim2reason.scenes.dsl.mechanism import Coordinate, Force, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import Maths, Number, Region, Triple, Vector, minus
+from sim2reason.scenes.dsl.vectors import Maths, Number, Region, Triple, Vector, subtract_triples
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Trace
 
@@ -106,8 +106,8 @@ def _coordinate(coordinate: Coordinate) -> Coordinate:
 
 NODES = 10  # Gauss-Legendre nodes in each piece of an interval between events
 HALVINGS = 12  # at most
-SETTLED = 1e-10  # relative change at which an integral has converged
-NOTHING = 1e-9  # m/s; slower lines do no work, whatever their tension
+CONVERGENCE_RTOL = 1e-10  # relative change at which an integral has converged
+RATE_FLOOR = 1e-9  # m/s; slower lines do no work, whatever their tension
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 
 
@@ -139,7 +139,7 @@ def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[Stat
         finer, larger = _pieces(trace, halves, integrand)
         scale = max(float(np.max(size + larger.sum(axis=1), initial=0.0)), floor)
         errors = np.abs(finer.reshape(len(finer), -1, 2).sum(axis=2) - values)
-        rough = (errors > SETTLED * scale).any(axis=0)
+        rough = (errors > CONVERGENCE_RTOL * scale).any(axis=0)
         kept = np.repeat(~rough, 2)
         total, size = total + finer[:, kept].sum(axis=1), size + larger[:, kept].sum(axis=1)
         pieces, values, sizes = halves[~kept], finer[:, ~kept], larger[:, ~kept]
@@ -195,7 +195,7 @@ def _velocity(state: State, body: str) -> Array:
 
 def _working(force: Array, rate: Array) -> Array:
     """Return force times rate; zero where the rate is zero, even if the force is undetermined."""
-    idle = np.abs(rate) <= NOTHING
+    idle = np.abs(rate) <= RATE_FLOOR
     return np.where(idle, 0.0, np.where(idle, 0.0, force) * rate)
 
 
@@ -218,7 +218,9 @@ def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
     """Yield the pairs of attracting bodies, with the force on the first, N, (n, 3)."""
     mechanism = state.mechanism
     for pair in mechanism.attractions:
-        separation = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
+        separation = state.vector(
+            subtract_triples(state.frames.center(pair.b).place, state.frames.center(pair.a).place)
+        )
         distance = np.linalg.norm(separation, axis=1)[:, None]
         strength = pair.constant * mechanism.body[pair.a].mass * mechanism.body[pair.b].mass
         yield (pair.a, pair.b), strength * separation / distance ** (pair.power + 1.0)
@@ -234,7 +236,7 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
                 yield coordinate
 
 
-def carried(mechanism: Mechanism, root: str) -> set[str | None]:
+def carried_bodies(mechanism: Mechanism, root: str) -> set[str | None]:
     """Return the names of a body and all bodies that it carries, directly or indirectly."""
     names: set[str | None] = {root}
     for body in mechanism.bodies:
@@ -245,22 +247,22 @@ def carried(mechanism: Mechanism, root: str) -> set[str | None]:
 
 def momentum(state: State, coordinate: Coordinate) -> Array:
     """Return the momentum of a body with all that it carries along a coordinate, kg m/s, (n,)."""
-    names = carried(state.mechanism, coordinate.body)
+    names = carried_bodies(state.mechanism, coordinate.body)
     parts = [QUANTITIES["momentum"].evaluate(state, name) for name in state.mechanism.body if name in names]
     return np.sum(parts, axis=0) @ np.array(coordinate.axis)
 
 
-def push(state: State, coordinate: Coordinate) -> Array:
+def external_force(state: State, coordinate: Coordinate) -> Array:
     """Return the external force on a body with all that it carries along a coordinate, N, (n,)."""
     mechanism, axis = state.mechanism, np.array(coordinate.axis)
-    names = carried(mechanism, coordinate.body)
+    names = carried_bodies(mechanism, coordinate.body)
     mass = sum(body.mass for body in mechanism.bodies if body.name in names)
     total = np.full(state.times.shape, mass * float(np.dot(mechanism.gravity, axis)))
     for line in mechanism.lines:
         for first, last in pairwise(line.through):
             inside = [mechanism.site[site].body in names for site in (first, last)]
             if inside[0] != inside[1]:
-                segment = minus(state.frames.site(last).place, state.frames.site(first).place)
+                segment = subtract_triples(state.frames.site(last).place, state.frames.site(first).place)
                 along = state.vector(segment) @ axis / np.linalg.norm(state.vector(segment), axis=1)
                 total = total + _working(state.tension[line.name], along * (1.0 if inside[0] else -1.0))
     for face in mechanism.faces:

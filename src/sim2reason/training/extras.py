@@ -6,12 +6,21 @@ from typing import Any
 
 from sim2reason.base.optional import optional
 from sim2reason.errors import MissingExtraError
-from sim2reason.evaluation.policies.network import quiet
+from sim2reason.evaluation.policies.network import silence_library
 
-__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
+__all__ = [
+    "EXTRA",
+    "External",
+    "disable_cudnn_attention",
+    "is_main_process",
+    "library",
+    "require",
+    "silence_library",
+    "versions",
+]
 
 EXTRA = "train"
-APART = "vllm", "wandb"  # each in an extra of its own, because few runs need it
+SEPARATE_EXTRAS = "vllm", "wandb"  # each in an extra of its own, because few runs need it
 LIBRARIES = "sim2reason", "torch", "transformers", "trl", "accelerate", "peft"
 External = Any
 """A value of a class of such a library: their types hold only where they are installed."""
@@ -26,10 +35,10 @@ def require(*names: str) -> None:
     """Check that all named libraries are installed; MissingExtraError if one is missing."""
     for name in names:
         if find_spec(name) is None:
-            raise MissingExtraError(name, name if name in APART else EXTRA)
+            raise MissingExtraError(name, name if name in SEPARATE_EXTRAS else EXTRA)
 
 
-def without_cudnn_attention() -> None:
+def disable_cudnn_attention() -> None:
     """Disable cuDNN attention in torch, whose gradients may be NaN on Hopper GPUs since torch 2.11.
 
     They occur with a mask and 64 tokens beyond a multiple of 128 (pytorch issue 196678). This ended one of six runs of

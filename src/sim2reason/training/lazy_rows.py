@@ -9,12 +9,12 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import Field, ValidationError
 
-from sim2reason.base.settings import first_fault, settings_in
+from sim2reason.base.settings import first_fault, read_settings
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.exports import EXPORTS, Export, Place
+from sim2reason.datasets.exports import EXPORTS, Export, RowPosition
 from sim2reason.datasets.fresh import INDEX_STRIDE, LazyProblems
-from sim2reason.datasets.generate import configured
-from sim2reason.datasets.plan import ALL, MAKER, TRAIN
+from sim2reason.datasets.generate import build_config
+from sim2reason.datasets.plan import ALL_NAMES, MAKER, TRAIN
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.generation.item import Record
 from sim2reason.generation.request import LARGEST, SI
@@ -45,8 +45,8 @@ class LazySettings(Record):
     """The number of rows, drawn and stored together."""
     share: Annotated[float, Gt(0.0), Le(1.0)] = 1.0
     """Of the rows that are drawn; the others are stored ones."""
-    recipe: Names = ALL
-    difficulty: Names = ALL
+    recipe: Names = ALL_NAMES
+    difficulty: Names = ALL_NAMES
     mode: Names = "numeric"
     seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
     weights: dict[str, float] = Field(default_factory=dict[str, float])
@@ -61,7 +61,7 @@ class LazySettings(Record):
     def read(cls, path: Path | str) -> "LazySettings":
         """Read settings from a file; DatasetError, in one line, if they are invalid."""
         try:
-            return cls.model_validate(settings_in(Path(path)))
+            return cls.model_validate(read_settings(Path(path)))
         except ValidationError as error:
             raise DatasetError(f"{path}: {first_fault(error)}") from None
         except EvaluationError as error:
@@ -69,7 +69,7 @@ class LazySettings(Record):
 
     def problems(self) -> LazyProblems:
         """Return the problems that the settings describe, generated on request."""
-        config = configured(
+        config = build_config(
             items=self.items,
             recipe=self.recipe,
             difficulty=self.difficulty,
@@ -128,7 +128,7 @@ class LazyRows:
         drawn = number * self._share.numerator // self._share.denominator
         if (number + 1) * self._share.numerator // self._share.denominator == drawn:
             return self._stored_row(number - drawn)
-        row = self._export.row(self._problems[drawn], Place(self._settings.take, number))
+        row = self._export.row(self._problems[drawn], RowPosition(self._settings.take, number))
         if row is None:
             raise DatasetError(f"row {number}: {self._export.lacks}")
         return dict(row)

@@ -16,7 +16,7 @@ from annotated_types import Gt, Le, Lt
 from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
 
 from sim2reason.base.settings import first_fault
-from sim2reason.datasets.processes import ALONE, end_with_parent
+from sim2reason.datasets.processes import SPAWN_CONTEXT, end_with_parent
 from sim2reason.errors import TrainingError
 from sim2reason.training.sources import Problem, ProblemSource
 
@@ -79,7 +79,7 @@ def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
     if not workers:
         yield Prefetcher(None, depth)
         return
-    pool = ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker)
+    pool = ProcessPoolExecutor(workers, mp_context=SPAWN_CONTEXT, initializer=begin_worker)
     try:
         yield Prefetcher(pool, depth)
     finally:

@@ -13,27 +13,27 @@ from contextlib import closing
 from multiprocessing.connection import wait
 from typing import TypeAlias, TypeVar
 
-from sim2reason.datasets.processes import ALONE, end_with_parent
+from sim2reason.datasets.processes import SPAWN_CONTEXT, end_with_parent
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import External, library
 
-__all__ = ["Advance", "Begun", "in_processes", "launched"]
+__all__ = ["AdvanceCallback", "BeginCallback", "is_launched", "run_in_processes"]
 
 LAST_WORDS = 2.0  # seconds for the first process to report an error after another has ended
 T = TypeVar("T")
-Begun: TypeAlias = Callable[[str, int], object]
-Advance: TypeAlias = Callable[[int], object]
-Work: TypeAlias = Callable[[T, Begun, Advance], object]
-Told: TypeAlias = tuple[str, int] | int | Sim2ReasonError
+BeginCallback: TypeAlias = Callable[[str, int], object]
+AdvanceCallback: TypeAlias = Callable[[int], object]
+Work: TypeAlias = Callable[[T, BeginCallback, AdvanceCallback], object]
+ProcessReport: TypeAlias = tuple[str, int] | int | Sim2ReasonError
 """What the first process says: that a phase begins, how many steps more are done, or what went wrong."""
 
 
-def launched() -> bool:
+def is_launched() -> bool:
     """Return whether this is already one of several processes, started by torchrun or similar."""
     return "WORLD_SIZE" in os.environ
 
 
-def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Advance) -> None:
+def run_in_processes(count: int, work: Work[T], given: T, begun: BeginCallback, advance: AdvanceCallback) -> None:
     """Run `work(given, begun, advance)` in `count` processes; all arguments must be importable.
 
     Raises:
@@ -41,10 +41,10 @@ def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Adv
         TrainingError: a process ended before its work was done.
     """
     library("torch.multiprocessing")  # it teaches pickles of processes about tensors
-    ours, theirs = ALONE.Pipe(duplex=False)
+    ours, theirs = SPAWN_CONTEXT.Pipe(duplex=False)
     port = _free_port()
     ranks = [
-        ALONE.Process(target=_rank, args=(rank, count, port, theirs if rank == 0 else None, work, given))
+        SPAWN_CONTEXT.Process(target=_rank, args=(rank, count, port, theirs if rank == 0 else None, work, given))
         for rank in range(count)
     ]
     with closing(ours):
@@ -65,7 +65,9 @@ def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Adv
         raise TrainingError(f"a process of the run ended with code {codes[0]}; give the same command again to go on")
 
 
-def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Advance) -> Sim2ReasonError | None:
+def _followed(
+    pipe: External, ranks: list[External], begun: BeginCallback, advance: AdvanceCallback
+) -> Sim2ReasonError | None:
     """Forward the first process's reports until all end or one fails; return its error, if any."""
     fault, silent = None, False
     while fault is None:
@@ -76,17 +78,19 @@ def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Adva
         if silent or pipe not in wait([pipe, *alive]):
             wait(alive)
             continue
-        fault, silent = _heard(pipe, begun, advance)
+        fault, silent = _forward_report(pipe, begun, advance)
     end = time.monotonic() + LAST_WORDS
     while fault is None and not silent and pipe.poll(max(0.0, end - time.monotonic())):
-        fault, silent = _heard(pipe, begun, advance)
+        fault, silent = _forward_report(pipe, begun, advance)
     return fault
 
 
-def _heard(pipe: External, begun: Begun, advance: Advance) -> tuple[Sim2ReasonError | None, bool]:
+def _forward_report(
+    pipe: External, begun: BeginCallback, advance: AdvanceCallback
+) -> tuple[Sim2ReasonError | None, bool]:
     """Forward one report; return an error if it is one, and whether the pipe is closed."""
     try:
-        report: Told = pipe.recv()
+        report: ProcessReport = pipe.recv()
     except EOFError:
         return None, True
     match report:
@@ -116,12 +120,12 @@ def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given
         os.environ.setdefault("ACCELERATE_USE_CPU", "true")
         torch.set_num_threads(1)  # threads of several processes wait for each other
     try:
-        work(given, lambda phase, steps: _say(pipe, (phase, steps)), lambda steps: _say(pipe, steps))
+        work(given, lambda phase, steps: _send_report(pipe, (phase, steps)), lambda steps: _send_report(pipe, steps))
     except Sim2ReasonError as error:
-        _say(pipe, error)
+        _send_report(pipe, error)
         sys.exit(2)
 
 
-def _say(pipe: External, report: Told) -> None:
+def _send_report(pipe: External, report: ProcessReport) -> None:
     if pipe is not None:
         pipe.send(report)

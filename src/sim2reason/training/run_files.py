@@ -27,14 +27,14 @@ __all__ = [
     "StepLog",
     "StepRecord",
     "StepSeconds",
+    "checkpoint_folder",
     "claim",
-    "clear_behind",
     "finish",
-    "folder_of",
     "last_checkpoint",
     "mark",
     "read_cursor",
-    "result_in",
+    "read_result",
+    "remove_later",
     "unmark",
 ]
 
@@ -111,7 +111,7 @@ def _remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
-def result_in(folder: Path, kind: type[R]) -> R | None:
+def read_result(folder: Path, kind: type[R]) -> R | None:
     """Return the result of a run; None if unfinished, TrainingError if the file is damaged."""
     file = folder / RESULT
     if not file.is_file():
@@ -251,7 +251,7 @@ class Cursor(BaseModel):
     """The state of the stream of prompts."""
 
 
-def folder_of(out: Path, updates: int) -> Path:
+def checkpoint_folder(out: Path, updates: int) -> Path:
     """Return the folder of a checkpoint, named as transformers does."""
     return out / f"checkpoint-{updates}"
 
@@ -286,7 +286,7 @@ def last_checkpoint(out: Path) -> Path | None:
     return max((path for path in _folders(out) if (path / CURSOR).is_file()), key=_updates, default=None)
 
 
-def clear_behind(out: Path, cursor: Cursor | None) -> None:
+def remove_later(out: Path, cursor: Cursor | None) -> None:
     """Remove incomplete checkpoints of later steps than the cursor; complete ones raise an error.
 
     Transformers would keep them, since it keeps the checkpoints of the highest numbers.

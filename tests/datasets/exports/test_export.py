@@ -8,7 +8,7 @@ import pytest
 
 import sim2reason
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.exports import EXPORTS, Export, Place
+from sim2reason.datasets.exports import EXPORTS, Export, RowPosition
 from sim2reason.datasets.exports.export import MARK, export
 from sim2reason.errors import DatasetError, UnknownNameError
 from sim2reason.generation.item import Item
@@ -113,7 +113,7 @@ class Broken(Export):
 
     name = "broken"
 
-    def row(self, item: Item, place: Place) -> dict[str, str]:
+    def row(self, item: Item, place: RowPosition) -> dict[str, str]:
         if place.number == 40:
             raise OSError(28, "No space left on device")
         return {"id": item.id}
@@ -125,7 +125,7 @@ class Nothing(Export):
     name = "nothing"
     lacks = "it needs what no item has"
 
-    def row(self, item: Item, place: Place) -> None:
+    def row(self, item: Item, place: RowPosition) -> None:
         del item, place
 
 

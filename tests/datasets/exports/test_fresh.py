@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import sim2reason
-from sim2reason.datasets.exports import EXPORTS, Place
+from sim2reason.datasets.exports import EXPORTS, RowPosition
 from sim2reason.errors import DatasetError, DrawError, MissingExtraError, UnknownNameError
 from sim2reason.generation.request import Request, load_maker
 
@@ -24,7 +24,7 @@ def test_rows_are_those_of_the_export_in_order_and_by_position(to: str) -> None:
     assert list(islice(pickle.loads(pickle.dumps(rows)), 30)) == first
     made = load_maker(FAKE["maker"])(Request("pulley", "easy", "numeric", 0, 0)).item
     assert made is not None
-    assert first[0] == EXPORTS[to].row(made, Place("train", 0))
+    assert first[0] == EXPORTS[to].row(made, RowPosition("train", 0))
 
 
 def test_an_item_that_the_export_cannot_hold_is_passed_over() -> None:

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from sim2reason import rewards
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.exports import EXPORTS, Place
+from sim2reason.datasets.exports import EXPORTS, RowPosition
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options_of, values
+from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, item_options, values
 from sim2reason.grading import number
-from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, said
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, format_numbers
 
-CHOICE, HERE = EXPORTS["multiple-choice"], Place("train", 0)
+CHOICE, HERE = EXPORTS["multiple-choice"], RowPosition("train", 0)
 NUMBERS = st.floats(1e-8, 1e8).flatmap(lambda x: st.sampled_from((x, -x)))
 
 
@@ -28,7 +28,7 @@ def value_of(text: str) -> float:
 
 def told_options(item: Item) -> dict[str, Distractor | None] | None:
     """Return the options of an item by their texts."""
-    chosen = options_of(item)
+    chosen = item_options(item)
     if chosen is None:
         return None
     told = ChoicePrompt.of("", values(item.answer, chosen), item.answer.unit).options
@@ -79,18 +79,18 @@ def test_options_are_apart_and_only_the_right_one_passes(
 
 @given(st.lists(NUMBERS, min_size=1, max_size=5))
 def test_numbers_are_told_in_three_digits_and_in_one_style(numbers: list[float]) -> None:
-    texts = said(numbers)
+    texts = format_numbers(numbers)
     assert len({"10^" in text for text in texts}) == 1
     for value, text in zip(numbers, texts, strict=True):
         assert isclose(value_of(text), value, rel_tol=5.001e-3)
 
 
 def test_styles() -> None:
-    assert said([3.0, 12.0, 7.0]) == ["3", "12", "7"]
-    assert said([4.9, 12.345, 0.5]) == ["4.90", "12.3", "0.500"]
-    assert said([9.999, 10.0]) == ["10.0", "10.0"]
-    assert said([12345.0, -0.00123]) == ["12300", "-0.00123"]
-    assert said([123456.0, 2.5]) == ["1.23 × 10^5", "2.50 × 10^0"]
+    assert format_numbers([3.0, 12.0, 7.0]) == ["3", "12", "7"]
+    assert format_numbers([4.9, 12.345, 0.5]) == ["4.90", "12.3", "0.500"]
+    assert format_numbers([9.999, 10.0]) == ["10.0", "10.0"]
+    assert format_numbers([12345.0, -0.00123]) == ["12300", "-0.00123"]
+    assert format_numbers([123456.0, 2.5]) == ["1.23 × 10^5", "2.50 × 10^0"]
 
 
 def test_no_letter_is_right_more_often_than_others(problems: Path) -> None:

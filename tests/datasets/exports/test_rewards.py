@@ -8,7 +8,7 @@ import pytest
 
 from sim2reason import rewards
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.exports import EXPORTS, Place
+from sim2reason.datasets.exports import EXPORTS, RowPosition
 from sim2reason.datasets.grade import grade
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
@@ -36,7 +36,7 @@ def ground_truth(row: object) -> str:
 def test_right_answers_pass_and_distractors_do_not(items: list[Item], to: str) -> None:
     wrong = 0
     for number, item in enumerate(items):
-        held = ground_truth(EXPORTS[to].row(item, Place("train", number)))
+        held = ground_truth(EXPORTS[to].row(item, RowPosition("train", number)))
         assert rewards.compute_score("sim2reason", rewards.boxed(rewards.answered(item)), held) == 1.0
         for distractor in item.distractors:
             wrong += 1

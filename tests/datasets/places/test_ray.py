@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.datasets.build import build
-from sim2reason.datasets.manifest import Manifest, refused
+from sim2reason.datasets.manifest import Manifest, read_refusals
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import versions
@@ -114,7 +114,7 @@ def test_what_always_crashes_is_found_and_the_rest_kept(tmp_path: Path, cluster:
     del cluster
     config = CONFIG.model_copy(update={"items": 40, "maker": "fake_makers:crashing"})
     manifest: Manifest = build(tmp_path / "data", config, on="ray")
-    found = [problem.reason for problem in refused(tmp_path / "data", "quarantined")]
+    found = [problem.reason for problem in read_refusals(tmp_path / "data", "quarantined")]
     assert found == ["crashed its worker, twice"]
     assert manifest.rows == 38
 

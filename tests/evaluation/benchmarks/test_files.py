@@ -10,7 +10,7 @@ import pytest
 
 from sim2reason.datasets.generate import generate
 from sim2reason.errors import EvaluationError, MissingExtraError, UnknownNameError
-from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, benchmark_from, data_hash, items_of
+from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, build_benchmark, data_hash, load_items
 
 ROWS = [
     {"question": "How far?", "answer": "2.5", "unit": "m", "subject": "mechanics", "id": "a"},
@@ -32,12 +32,12 @@ def written(tmp_path: Path, kind: str) -> Path:
 
 
 def made(path: Path, **settings: object) -> Benchmark:
-    return benchmark_from({"kind": "jsonl", "name": "mine", "file": str(path), **settings})
+    return build_benchmark({"kind": "jsonl", "name": "mine", "file": str(path), **settings})
 
 
 @pytest.mark.parametrize("kind", ["json", "jsonl", "parquet"])
 def test_rows_of_every_format_are_read(tmp_path: Path, kind: str) -> None:
-    found = items_of(made(written(tmp_path, kind), text_only=False))
+    found = load_items(made(written(tmp_path, kind), text_only=False))
     assert [item.id for item in found][:2] == ["a", "b"]
     assert found[0].reference["value"] == 2.5
     assert found[0].reference["unit"] == "m"
@@ -47,17 +47,17 @@ def test_rows_of_every_format_are_read(tmp_path: Path, kind: str) -> None:
 def test_filters_counts_and_hashes(tmp_path: Path) -> None:
     path = written(tmp_path, "jsonl")
     right = sha256(path.read_bytes()).hexdigest()
-    assert [item.id for item in items_of(made(path, sha256=right, expected=2))] == ["a", "c"]
-    assert items_of(made(path))[1].reference["unit"] is None  # no unit of our table
+    assert [item.id for item in load_items(made(path, sha256=right, expected=2))] == ["a", "c"]
+    assert load_items(made(path))[1].reference["unit"] is None  # no unit of our table
     with pytest.raises(EvaluationError, match="its SHA-256 is"):
-        items_of(made(path, sha256="0" * 64))
+        load_items(made(path, sha256="0" * 64))
     with pytest.raises(EvaluationError, match="2 problems where 512 are expected"):
-        items_of(made(path, expected=512))
+        load_items(made(path, expected=512))
     with pytest.raises(EvaluationError, match="no problem passes"):
-        items_of(made(path, subjects=["heat"]))
-    whole = data_hash(items_of(made(path)))
-    assert whole == data_hash(items_of(made(path)))
-    assert whole != data_hash(items_of(made(path, limit=1)))
+        load_items(made(path, subjects=["heat"]))
+    whole = data_hash(load_items(made(path)))
+    assert whole == data_hash(load_items(made(path)))
+    assert whole != data_hash(load_items(made(path, limit=1)))
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_a_damaged_file_is_one_line_that_names_it(tmp_path: Path, content: bytes
     path = tmp_path / "file.json"
     path.write_bytes(content)
     with pytest.raises(EvaluationError, match=message) as raised:
-        items_of(made(path))
+        load_items(made(path))
     assert "\n" not in str(raised.value)
 
 
@@ -103,44 +103,44 @@ def test_a_damaged_file_is_one_line_that_names_it(tmp_path: Path, content: bytes
 )
 def test_settings_are_checked(settings: dict[str, object], message: str) -> None:
     with pytest.raises(EvaluationError, match=message):
-        benchmark_from(settings)
+        build_benchmark(settings)
 
 
 def test_a_missing_file_another_format_and_an_unknown_kind(tmp_path: Path) -> None:
     with pytest.raises(EvaluationError, match="no such file"):
-        items_of(made(tmp_path / "none.json"))
+        load_items(made(tmp_path / "none.json"))
     (tmp_path / "a.csv").write_text("question,answer\n")
     with pytest.raises(EvaluationError, match="no format that is known"):
-        items_of(made(tmp_path / "a.csv"))
+        load_items(made(tmp_path / "a.csv"))
     with pytest.raises(UnknownNameError, match="did you mean: jeebench"):
-        benchmark_from({"kind": "jebench"})
+        build_benchmark({"kind": "jebench"})
 
 
 def test_the_hub_is_asked_through_its_own_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     settings = {"kind": "jsonl", "name": "a", "hub": {"repository": "some/set", "path": "file.jsonl"}}
     monkeypatch.setitem(sys.modules, "huggingface_hub", None)
     with pytest.raises(MissingExtraError, match=r"pip install .*'math-verify"):
-        items_of(benchmark_from(settings))
+        load_items(build_benchmark(settings))
     hub, path = ModuleType("huggingface_hub"), written(tmp_path, "jsonl")
     monkeypatch.setattr("sim2reason.evaluation.benchmarks.files.out_of_reach", lambda *_: False)
     hub.hf_hub_download = lambda *_, **__: str(path)  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "huggingface_hub", hub)
-    assert len(items_of(benchmark_from(settings))) == 2
+    assert len(load_items(build_benchmark(settings))) == 2
     hub.hf_hub_download = lambda *_, **__: 1 / 0  # type: ignore[attr-defined]
     with pytest.raises(EvaluationError, match=r"hub: no file\.jsonl of some/set at main"):
-        items_of(benchmark_from(settings))
+        load_items(build_benchmark(settings))
 
 
 def test_physics_mathematics_and_exercises_have_columns_of_their_own(tmp_path: Path) -> None:
     path = tmp_path / "a.json"
     path.write_text(json.dumps([{"questions": "Why?", "final_answers": ["$x=1$", "2"], "graphs": None}]))
-    (item,) = items_of(benchmark_from({"kind": "physics", "name": "p", "file": str(path)}))
+    (item,) = load_items(build_benchmark({"kind": "physics", "name": "p", "file": str(path)}))
     assert (item.scoring, item.reference["answers"]) == ("physics", ["$x=1$", "2"])
     path.write_text(json.dumps([{"problem": "1 + 1?", "answer": 2}]))
-    (item,) = items_of(benchmark_from({"kind": "math", "name": "aime", "file": str(path)}))
+    (item,) = load_items(build_benchmark({"kind": "math", "name": "aime", "file": str(path)}))
     assert (item.scoring, item.reference["answer"], item.id) == ("math", "2", "aime-0")
     path.write_text(json.dumps([{"question": "How fast?", "answer": "3", "unit": "km/h"}]))
-    (item,) = items_of(benchmark_from({"kind": "hcv", "name": "hcv", "file": str(path)}))
+    (item,) = load_items(build_benchmark({"kind": "hcv", "name": "hcv", "file": str(path)}))
     assert (item.scoring, item.reference["unit"]) == ("numeric", "km/h")
 
 
@@ -155,20 +155,20 @@ def test_an_olympiad_file_has_points_and_illustrations(tmp_path: Path) -> None:
     path = tmp_path / "a.json"
     path.write_text(json.dumps([row, *others]))
     settings = {"kind": "hipho", "name": "i", "file": str(path)}
-    assert [item.id for item in items_of(benchmark_from(settings))] == ["x", "z"]
-    (item,) = items_of(benchmark_from({**settings, "numeric_only": True}))
+    assert [item.id for item in load_items(build_benchmark(settings))] == ["x", "z"]
+    (item,) = load_items(build_benchmark({**settings, "numeric_only": True}))
     assert item.reference["parts"] == [{"answer": "3", "unit": "m", "points": 0.5, "type": "Numerical Value"}]
 
 
 def test_our_suite_is_a_dataset_or_drawn(tmp_path: Path) -> None:
     generate(tmp_path / "d", items=6, recipe="pulley", maker="fake_makers:steady", workers=1)
-    found = items_of(benchmark_from({"kind": "synthetic", "name": "ours", "dataset": str(tmp_path / "d")}))
+    found = load_items(build_benchmark({"kind": "synthetic", "name": "ours", "dataset": str(tmp_path / "d")}))
     assert len(found) == 6
     assert found[0].tags["recipe"] == ("pulley",)
     assert found[0].scoring == "sim2reason"
     assert "N" in found[0].answer_text
     drawn = {"kind": "synthetic", "name": "ours", "seed": 99, "items": 2, "recipe": "projectile", "difficulty": "easy"}
-    first, second = items_of(benchmark_from(drawn)), items_of(benchmark_from(drawn))
+    first, second = load_items(build_benchmark(drawn)), load_items(build_benchmark(drawn))
     assert first == second
     assert {item.id.split("-")[3] for item in first} == {"99"}
 
@@ -183,8 +183,8 @@ def test_a_column_may_be_a_path_into_what_is_nested(tmp_path: Path) -> None:
     file.write_text(json.dumps(row) + "\n")
     columns = {"question_column": "prompt.0.content", "answer_column": "reward_model.ground_truth"}
     settings = {"kind": "jsonl", "name": "nested", "file": file, "id_column": "extra_info.index", **columns}
-    (found,) = items_of(benchmark_from(settings))
+    (found,) = load_items(build_benchmark(settings))
     assert found.prompt.startswith("2 + 2?")
     assert found.reference["value"] == 4.0
     with pytest.raises(EvaluationError, match=r"prompt\.1\.content"):
-        items_of(benchmark_from({**settings, "question_column": "prompt.1.content"}))
+        load_items(build_benchmark({**settings, "question_column": "prompt.1.content"}))

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import EvaluationError
-from sim2reason.evaluation.benchmarks import benchmark_from, items_of
+from sim2reason.evaluation.benchmarks import build_benchmark, load_items
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 
 CASES: list[dict[str, Any]] = [
@@ -42,7 +42,7 @@ def test_the_loader_filters_by_subject_and_asks_by_type(tmp_path: Path) -> None:
     path = tmp_path / "dataset.json"
     rows = [row(), row(subject="math"), row(type="MCQ(multiple)", gold="AC"), row(type="MCQ", gold="B")]
     path.write_text(json.dumps(rows))
-    found = items_of(benchmark_from({"kind": "jeebench", "name": "jee", "file": str(path), "subjects": ["phy"]}))
+    found = load_items(build_benchmark({"kind": "jeebench", "name": "jee", "file": str(path), "subjects": ["phy"]}))
     assert [item.id for item in found] == ["jeebench-0", "jeebench-2", "jeebench-3"]
     assert "integer" in found[0].prompt
     assert "One or more options" in found[1].prompt
@@ -58,4 +58,4 @@ def test_a_row_that_is_none_is_named(tmp_path: Path, fields: dict[str, object], 
     path = tmp_path / "dataset.json"
     path.write_text(json.dumps([row(**fields)]))
     with pytest.raises(EvaluationError, match=message):
-        items_of(benchmark_from({"kind": "jeebench", "name": "jee", "file": str(path)}))
+        load_items(build_benchmark({"kind": "jeebench", "name": "jee", "file": str(path)}))

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import EvaluationError
-from sim2reason.evaluation.benchmarks import benchmark_from, items_of
+from sim2reason.evaluation.benchmarks import build_benchmark, load_items
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 
 CASES: list[dict[str, Any]] = [
@@ -42,7 +42,7 @@ def row(**fields: object) -> dict[str, object]:
 def loaded(tmp_path: Path, *rows: dict[str, object], **settings: object) -> list[str]:
     path = tmp_path / "file.json"
     path.write_text(json.dumps(rows))
-    found = items_of(benchmark_from({"kind": "olympiadbench", "name": "o", "file": str(path), **settings}))
+    found = load_items(build_benchmark({"kind": "olympiadbench", "name": "o", "file": str(path), **settings}))
     return [item.id.removeprefix("olympiadbench-") for item in found]
 
 
@@ -65,6 +65,6 @@ def test_a_caption_stands_for_the_figure(tmp_path: Path) -> None:
     path = tmp_path / "file.json"
     path.write_text(json.dumps([row(question="See ![](a.png)", caption="A cart on a slope.")]))
     settings = {"kind": "olympiadbench", "name": "o", "file": str(path), "captions": "caption"}
-    (found,) = items_of(benchmark_from(settings))
+    (found,) = load_items(build_benchmark(settings))
     assert found.prompt.startswith("The figure shows: A cart on a slope.\n\nSee")
     assert "in m, without the unit" in found.prompt

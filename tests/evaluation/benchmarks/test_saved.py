@@ -6,7 +6,7 @@ import pytest
 
 from sim2reason.datasets.items import item
 from sim2reason.errors import EvaluationError
-from sim2reason.evaluation.benchmarks import benchmark_from, items_of
+from sim2reason.evaluation.benchmarks import build_benchmark, load_items
 from sim2reason.evaluation.benchmarks.own import benchmark_item
 
 
@@ -14,11 +14,11 @@ def test_what_was_saved_comes_back(tmp_path: Path) -> None:
     file = tmp_path / "held.jsonl"
     saved = [benchmark_item(item("pulley", "easy", seed=3, index=n)) for n in range(2)]
     file.write_text("".join(f"{each.model_dump_json()}\n" for each in saved))
-    assert items_of(benchmark_from({"kind": "saved", "name": "held", "file": file})) == saved
+    assert load_items(build_benchmark({"kind": "saved", "name": "held", "file": file})) == saved
 
 
 def test_a_row_that_is_no_problem_is_named(tmp_path: Path) -> None:
     file = tmp_path / "held.jsonl"
     file.write_text('{"id": "a"}\n')
     with pytest.raises(EvaluationError, match=r"row 0: prompt"):
-        items_of(benchmark_from({"kind": "saved", "name": "held", "file": file}))
+        load_items(build_benchmark({"kind": "saved", "name": "held", "file": file}))

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from sim2reason.errors import MissingExtraError
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
-from sim2reason.evaluation.benchmarks.scoring.answers import boxes, paired, parts
+from sim2reason.evaluation.benchmarks.scoring.answers import find_boxes, has_perfect_matching, parts
 from sim2reason.evaluation.benchmarks.scoring.math_verify import Killable
 from sim2reason.evaluation.benchmarks.scoring.single_answers import JUDGED
 from sim2reason.grading.extract import boxed
@@ -95,9 +95,7 @@ def test_a_judge_sees_the_boxes_alone_and_says_yes_or_no() -> None:
 
 
 @pytest.mark.parametrize("name", list(SCORINGS))
-@pytest.mark.parametrize(
-    "response", ["", "\\boxed{", r"\boxed{" * 5000, r"\boxed{1/0}", "\ud800" * 10, "<think>"]
-)
+@pytest.mark.parametrize("response", ["", "\\boxed{", r"\boxed{" * 5000, r"\boxed{1/0}", "\ud800" * 10, "<think>"])
 def test_no_response_makes_a_rule_raise_or_earns_a_point(name: str, response: str) -> None:
     if name == "math" and find_spec("math_verify") is None:
         with pytest.raises(MissingExtraError, match=r"sim2reason\[eval\]"):
@@ -156,7 +154,10 @@ def test_mathematics_is_compared_by_value(answer: str, said: str, points: float)
 
 
 def test_boxes_and_parts() -> None:
-    assert boxes(r"a \boxed{1} <think>\boxed{2}</think> \boxed{3} \boxed{\boxed{4}} \boxed{ }") == ["3", r"\boxed{4}"]
+    assert find_boxes(r"a \boxed{1} <think>\boxed{2}</think> \boxed{3} \boxed{\boxed{4}} \boxed{ }") == [
+        "3",
+        r"\boxed{4}",
+    ]
     assert parts(r"$a$, (b, c);\ f(x,y) \text{ and } 1,234.") == ["a", "(b, c)", "f(x,y)", "1234"]
 
 
@@ -167,7 +168,7 @@ def test_the_last_box_is_the_one_that_our_grader_reads(pieces: list[str]) -> Non
         expected = boxed(text)
     except Refused:
         return
-    assert boxes(text)[-1] == expected
+    assert find_boxes(text)[-1] == expected
 
 
 @pytest.mark.parametrize("name", ["jeebench", "olympiadbench", "hipho", "physics"])
@@ -197,6 +198,6 @@ def test_nothing_that_is_said_makes_a_rule_raise(name: str, pieces: list[str]) -
 
 def test_pairs_are_found_where_greed_would_fail() -> None:
     fits = {("a", "x"), ("a", "y"), ("b", "x")}
-    assert paired("ab", ["x", "y"], lambda right, said: (right, said) in fits)
-    assert not paired("aa", ["x", "x"], lambda _, __: False)
-    assert not paired("a", ["x", "y"], lambda *_: True)
+    assert has_perfect_matching("ab", ["x", "y"], lambda right, said: (right, said) in fits)
+    assert not has_perfect_matching("aa", ["x", "x"], lambda _, __: False)
+    assert not has_perfect_matching("a", ["x", "y"], lambda *_: True)

@@ -10,7 +10,7 @@ import pytest
 
 from faulty_endpoint import FAULTS, KEY, Said, answer, serving
 from sim2reason.errors import PolicyError
-from sim2reason.evaluation.policies import Completion, SampleRequest, policy_from
+from sim2reason.evaluation.policies import Completion, SampleRequest, build_policy
 from sim2reason.evaluation.policies.endpoint import Endpoint
 from sim2reason.evaluation.policies.network import delay
 from sim2reason.evaluation.policies.samples import NoAnswerError
@@ -24,7 +24,7 @@ def key(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def policy(url: str, **settings: object) -> tuple[Endpoint, list[float]]:
-    made = policy_from({"kind": "endpoint", "name": "p", "url": url, "model": "m", "key_from": "SOME_KEY", **settings})
+    made = build_policy({"kind": "endpoint", "name": "p", "url": url, "model": "m", "key_from": "SOME_KEY", **settings})
     assert isinstance(made, Endpoint)
     waits: list[float] = []
     made._sleep = waits.append

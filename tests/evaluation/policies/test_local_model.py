@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import MissingExtraError, PolicyError
-from sim2reason.evaluation.policies import SampleRequest, policy_from
+from sim2reason.evaluation.policies import SampleRequest, build_policy
 from sim2reason.evaluation.policies.local_model import LocalModel
 
 installed = pytest.mark.skipif(
@@ -18,7 +18,7 @@ installed = pytest.mark.skipif(
 
 
 def made(folder: Path | str, **settings: object) -> LocalModel:
-    found = policy_from({"kind": "transformers", "name": "tiny", "model": str(folder), "device": "cpu", **settings})
+    found = build_policy({"kind": "transformers", "name": "tiny", "model": str(folder), "device": "cpu", **settings})
     assert isinstance(found, LocalModel)
     return found
 
@@ -95,7 +95,7 @@ def test_it_draws_from_the_model_s_distribution(folder: Path) -> None:
     import torch
 
     tiny = made(folder, sampling={"max_tokens": 1, "temperature": 0.05})
-    tokenizer, model = tiny._loaded.tokenizer, tiny._loaded.model
+    tokenizer, model = tiny._load.tokenizer, tiny._load.model
     with torch.inference_mode():
         logits = model(**tokenizer("How fast?", return_tensors="pt")).logits[0, -1].double() / 0.05
     expected = torch.softmax(logits, 0) * 2000

@@ -11,7 +11,7 @@ from pydantic import PrivateAttr
 
 from sim2reason.errors import EvaluationError, PolicyError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
-from sim2reason.evaluation.policies.journal import SampleJournal, finished
+from sim2reason.evaluation.policies.journal import SampleJournal, read_finished
 from sim2reason.evaluation.policies.samples import MAX_FAILURES, NoAnswerError, ask, requests_for, sample_seed
 
 
@@ -57,7 +57,7 @@ def test_a_second_run_asks_only_for_what_is_missing(tmp_path: Path) -> None:
     assert run(path, policy, 5) == 4
     assert len(policy._seen) == 10
     assert run(path, policy, 5) == 0
-    held = list(finished(path))
+    held = list(read_finished(path))
     assert sorted(found.key for found in held) == sorted((f"item-{n}", s) for n in range(5) for s in range(2))
     assert all(found.seed == sample_seed(0, *found.key) for found in held)
 
@@ -65,7 +65,7 @@ def test_a_second_run_asks_only_for_what_is_missing(tmp_path: Path) -> None:
 def test_a_text_that_begins_within_the_thinking_says_so(tmp_path: Path) -> None:
     run(tmp_path / "plain.jsonl", Parrot(name="p"), 1, 1)
     run(tmp_path / "within.jsonl", Parrot(name="p", thinking_opened=True), 1, 1)
-    plain, within = (next(iter(finished(tmp_path / f"{name}.jsonl"))).completion for name in ("plain", "within"))
+    plain, within = (next(iter(read_finished(tmp_path / f"{name}.jsonl"))).completion for name in ("plain", "within"))
     assert plain.whole == plain.text
     assert within.whole == f"<think>{within.text}"
 
@@ -133,7 +133,7 @@ def test_an_endpoint_that_is_down_or_refuses_ends_the_run_with_all_that_was_fini
     assert len(down._seen) == 3 + MAX_FAILURES
     with SampleJournal(tmp_path / "b.jsonl") as journal, pytest.raises(PolicyError, match="no more"):
         ask(Parrot(name="p", stops=("item-3",), width=2), requests_for(prompts(90), 1, 0), journal)
-    assert 3 <= len(list(finished(tmp_path / "b.jsonl"))) <= 6
+    assert 3 <= len(list(read_finished(tmp_path / "b.jsonl"))) <= 6
 
 
 @pytest.mark.parametrize("width", [1, 4])

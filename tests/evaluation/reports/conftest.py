@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.evaluation.benchmarks import benchmark_from
+from sim2reason.evaluation.benchmarks import build_benchmark
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation
 from told_policy import Told
 
@@ -24,7 +24,7 @@ def made(tmp_path: Path) -> Made:
         ]
         path = tmp_path / "numbers.json"
         path.write_text(json.dumps(rows))
-        benchmarks = tuple(benchmark_from({"kind": "jsonl", "name": name, "file": str(path)}) for name in names)
+        benchmarks = tuple(build_benchmark({"kind": "jsonl", "name": name, "file": str(path)}) for name in names)
         return Evaluation(tmp_path / out, policies or (Told(name="told"),), benchmarks, **settings)
 
     return make

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import EvaluationError
-from sim2reason.evaluation.benchmarks import benchmark_from
+from sim2reason.evaluation.benchmarks import build_benchmark
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation, RunFolder
 from sim2reason.evaluation.reports.comparison import compare, correlate
 from sim2reason.evaluation.reports.evaluation import evaluate
-from sim2reason.evaluation.reports.results import wilson
+from sim2reason.evaluation.reports.results import wilson_interval
 from told_policy import Told
 
 Made = Callable[..., Evaluation]
@@ -39,7 +39,7 @@ def test_a_report_has_numbers_pages_and_pictures(made: Made) -> None:
 
 def test_one_sample_each_has_wilsons_interval(made: Made) -> None:
     (found,) = evaluate(made(Told(name="half", right=0.5))).report.results
-    expected = wilson(10, 20)
+    expected = wilson_interval(10, 20)
     assert (found.accuracy.low, found.accuracy.high) == (expected.low, expected.high)
 
 
@@ -108,7 +108,7 @@ def test_problems_that_changed_are_noticed(made: Made, tmp_path: Path) -> None:
 def test_a_judge_rules_on_what_the_rule_did_not_pay(tmp_path: Path) -> None:
     path = tmp_path / "physics.json"
     path.write_text(json.dumps([{"questions": f"Why {n}?", "final_answers": [str(n)], "id": f"n{n}"} for n in (1, 2)]))
-    benchmark = benchmark_from({"kind": "physics", "name": "physics", "file": str(path)})
+    benchmark = build_benchmark({"kind": "physics", "name": "physics", "file": str(path)})
     policy = Told(name="told", texts={"n1": [r"\boxed{1}"], "n2": [r"\boxed{two}"]})
     judge = Told(name="judge", texts={"n2#0": [r"\boxed{yes}"]})
     (found,) = evaluate(Evaluation(tmp_path / "run", (policy,), (benchmark,), judge=judge)).report.results

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.evaluation.reports.results import difference, mean_of_items, pass_at, rank_correlation, wilson
+from sim2reason.evaluation.reports.results import difference, item_mean, pass_at, rank_correlation, wilson_interval
 
 
 @pytest.mark.parametrize(
@@ -17,14 +17,14 @@ from sim2reason.evaluation.reports.results import difference, mean_of_items, pas
 )
 def test_wilson_has_the_published_ends(right: int, total: int, low: float, high: float) -> None:
     """The values are those of method 3 in table I of Newcombe, Statistics in Medicine 17, 857 (1998)."""
-    found = wilson(right, total)
+    found = wilson_interval(right, total)
     assert (round(found.low, 4), round(found.high, 4)) == (low, high)
 
 
 @given(total=st.integers(1, 2000), data=st.data())
 def test_an_interval_holds_its_share_and_mirrors(total: int, data: st.DataObject) -> None:
     right = data.draw(st.integers(0, total))
-    found, other = wilson(right, total), wilson(total - right, total)
+    found, other = wilson_interval(right, total), wilson_interval(total - right, total)
     assert 0.0 <= found.low <= found.value <= found.high <= 1.0
     assert isclose(found.low, 1.0 - other.high, abs_tol=1e-12)
 
@@ -32,7 +32,7 @@ def test_an_interval_holds_its_share_and_mirrors(total: int, data: st.DataObject
 def test_shares_need_trials() -> None:
     for right, total in ((0, 0), (3, 2), (-1, 2)):
         with pytest.raises(ValueError, match="a share needs trials"):
-            wilson(right, total)
+            wilson_interval(right, total)
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=9), st.integers(1, 9))
@@ -48,12 +48,12 @@ def test_pass_at_k_is_the_mean_over_all_choices(right: list[bool], k: int) -> No
 
 def test_partial_credit_passes_nothing_and_counts_in_the_mean() -> None:
     assert pass_at([[0.5, 0.75], [1.0, 0.0]], 1) == 0.25
-    assert mean_of_items([[0.5, 0.75], [1.0, 0.0]]).value == 0.5625
+    assert item_mean([[0.5, 0.75], [1.0, 0.0]]).value == 0.5625
 
 
 def test_one_sample_each_has_wilsons_interval_and_more_have_a_bootstrap() -> None:
-    assert mean_of_items([[1.0]] * 3 + [[0.0]] * 7) == wilson(3, 10)
-    found = mean_of_items([[1.0, 0.0]] * 50 + [[1.0, 1.0]] * 50)
+    assert item_mean([[1.0]] * 3 + [[0.0]] * 7) == wilson_interval(3, 10)
+    found = item_mean([[1.0, 0.0]] * 50 + [[1.0, 1.0]] * 50)
     assert found.method == "bootstrap"
     assert found.value == 0.75
     half = 1.96 * 0.25 / 10.0
@@ -62,8 +62,8 @@ def test_one_sample_each_has_wilsons_interval_and_more_have_a_bootstrap() -> Non
 
 
 def test_where_all_items_are_alike_the_interval_is_not_a_point() -> None:
-    found = mean_of_items([[1.0, 1.0]] * 10)
-    assert (found.low, found.high) == (pytest.approx(1.0 - wilson(0, 10).high), 1.0)
+    found = item_mean([[1.0, 1.0]] * 10)
+    assert (found.low, found.high) == (pytest.approx(1.0 - wilson_interval(0, 10).high), 1.0)
     same = difference([1.0] * 10, [1.0] * 10)
     assert same.low < 0.0 < same.high
     assert same.value == 0.0
@@ -81,7 +81,7 @@ def test_intervals_of_paired_differences_cover_the_truth() -> None:
 
 def test_the_same_data_give_the_same_interval() -> None:
     values = [0.0, 0.5, 1.0, 0.25, 0.0, 1.0]
-    assert mean_of_items([[v, v] for v in values]) == mean_of_items([[v, v] for v in values])
+    assert item_mean([[v, v] for v in values]) == item_mean([[v, v] for v in values])
 
 
 def test_rank_correlation_has_the_textbook_value() -> None:

@@ -12,7 +12,7 @@ from figure_parts import RodPendulum, Slider, scene_of
 from sim2reason.errors import SceneError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.figures.plane import common
+from sim2reason.figures.plane import overlap_area
 from sim2reason.figures.scaled.lines import PIVOT
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape, outline
 from sim2reason.scenes.bodies.blocks import Block
@@ -54,7 +54,7 @@ def check(scene: Scene, drawn: Drawing) -> None:
             assert texts[0] == wanted or texts[0].startswith(f"{wanted} (")
     for a, b in combinations(drawn.labels, 2):
         smaller = min((box[2] - box[0]) * (box[3] - box[1]) for box in (a.box, b.box))
-        assert common(a.box, b.box) <= 0.02 * smaller, (a, b)
+        assert overlap_area(a.box, b.box) <= 0.02 * smaller, (a, b)
     left, low, right, high = drawn.box()
     assert 0.5 < right - left < 45.0
     assert 0.5 < high - low < 45.0

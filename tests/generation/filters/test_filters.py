@@ -9,7 +9,7 @@ import pytest
 from motions import rod_pendulum, spring_block
 from plain_scenes import G, arm, atwood, bight, half_atwood, massive, ramp, row, squeezed, table, three
 from sim2reason.generation.filters import FILTERS, Candidate, apply_filters
-from sim2reason.generation.filters.misconceptions import effects, effects_of
+from sim2reason.generation.filters.misconceptions import effects, find_effects
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, SimulatedScene, Target
 from sim2reason.questions.difficulty import Difficulty
@@ -370,7 +370,7 @@ def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_par
     answer = KINDS["period"].answer(query, study)
     assert answer is not None
     found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
-    assert list(effects_of(MISCONCEPTIONS["length as extension"], found))
+    assert list(find_effects(MISCONCEPTIONS["length as extension"], found))
 
 
 def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:

@@ -7,8 +7,8 @@ import pytest
 
 from plain_scenes import atwood, ramp, row, swing
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.filters.products import product_of
-from sim2reason.generation.filters.sums import sum_of
+from sim2reason.generation.filters.products import find_product
+from sim2reason.generation.filters.sums import find_sum
 from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
@@ -90,8 +90,8 @@ def test_a_special_angle_makes_no_product() -> None:
     """v = √(2 g l (1 − cos θ)) is the root of a sum at any angle, though 1 − cos 60° = ½."""
     for angle in (50.0, 60.0):
         speed = candidate(swing(angle=angle), LowestPoint(BOB), Target("velocity", BOB))
-        assert product_of(speed) == ""
-        assert "the root of a sum" in sum_of(speed)
+        assert find_product(speed) == ""
+        assert "the root of a sum" in find_sum(speed)
 
 
 CHORD = (

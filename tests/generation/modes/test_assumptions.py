@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.generation.modes.symbolic import assumed_in, assuming, split_assumptions
+from sim2reason.generation.modes.symbolic import assuming, parse_assumptions, split_assumptions
 from sim2reason.questions import SimulatedScene, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import Regime, possible, regimes
@@ -55,7 +55,7 @@ def of_rocket() -> tuple[SimulatedScene, Words, dict[type[Regime], Regime]]:
 def test_three_clauses_stand_in_the_order_of_time(chosen: Sequence[type[Regime]], expected: str) -> None:
     _, words, found = of_rocket()
     said = assuming([found[kind] for kind in chosen], words)
-    name = next(iter(words.called(found[MovesOneWay].of).values()))
+    name = next(iter(words.subject_phrases(found[MovesOneWay].of).values()))
     assert said == expected.format(it=name)
 
 
@@ -65,7 +65,7 @@ def test_what_is_assumed_is_read_back(count: int) -> None:
     study, words = told(half_atwood())
     held = regimes(study, words, 0.5)[:count]
     sentence = assuming(held, words)
-    found = assumed_in(sentence, study, words)
+    found = parse_assumptions(sentence, study, words)
     assert found is not None
     assert set(found) == set(held)
     assert split_assumptions(f"Find it. {sentence}") == (sentence, "Find it.")
@@ -73,4 +73,4 @@ def test_what_is_assumed_is_read_back(count: int) -> None:
 
 def test_what_nothing_in_the_scene_may_do_is_not_read() -> None:
     study, words = told(half_atwood())
-    assert assumed_in("Assume that block A flies.", study, words) is None
+    assert parse_assumptions("Assume that block A flies.", study, words) is None

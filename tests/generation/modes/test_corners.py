@@ -28,7 +28,7 @@ def heavy_and_near(other: Variation) -> float:
 
 
 def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
-    known = list(varied.one_by_one(WIDTH, []))
+    known = list(varied.vary_one_by_one(WIDTH, []))
     found = find_corner(varied, heavy_and_near, [], known)
     assert found is not None
     assert found.values["m"] == max(other.values["m"] for other in known)
@@ -37,7 +37,7 @@ def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
 
 def test_what_is_told_is_kept(varied: Variations) -> None:
     """The mass must be less than 5 kg, which the end of its range, 6 kg, is not."""
-    known = list(varied.one_by_one(WIDTH, []))
+    known = list(varied.vary_one_by_one(WIDTH, []))
     found = find_corner(varied, heavy_and_near, [lambda other: 5.0 - other.values["m"]], known)
     assert found is not None
     assert found.values["m"] < 5.0

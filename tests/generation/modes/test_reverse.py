@@ -10,7 +10,7 @@ import pytest
 
 from plain_scenes import atwood, ramp, row, table
 from sim2reason.generation.make import make
-from sim2reason.generation.modes.reverse import _nearly_before, why_undetermined
+from sim2reason.generation.modes.reverse import _comes_close_before, why_undetermined
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
@@ -32,7 +32,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.simulation.scenes import simulate
 from sim2reason.text.prose.description import describe
-from sim2reason.text.prose.voices import hiding
+from sim2reason.text.prose.voices import symbolic_at
 from spring_slopes import spring_slope
 
 G = 9.8
@@ -132,7 +132,7 @@ def test_two_elevations_of_one_range_are_told() -> None:
     found = KINDS["event"].answer(RANGE, study(scene))
     assert found is not None
     scan = UniquenessScan(AnswerFunction(RANGE, study(scene), "throw.angle"), 25.0, found, 1e-3 * found)
-    other = scan.another(range_of(scene, "throw.angle"))
+    other = scan.find_other_root(range_of(scene, "throw.angle"))
     assert other is not None
     assert other > 45.0
 
@@ -142,7 +142,7 @@ def test_one_speed_of_one_range_is_told() -> None:
     found = KINDS["event"].answer(RANGE, study(scene))
     assert found is not None
     scan = UniquenessScan(AnswerFunction(RANGE, study(scene), "throw.speed"), 5.0, found, 1e-3 * found)
-    assert scan.another(range_of(scene, "throw.speed")) is None
+    assert scan.find_other_root(range_of(scene, "throw.speed")) is None
 
 
 def test_a_dip_between_two_points_is_seen() -> None:
@@ -168,11 +168,11 @@ def test_a_dip_between_two_points_is_seen() -> None:
 
     points = tuple(np.geomspace(0.1, 100.0, 64).tolist())
     dependence = Parabola()
-    assert UniquenessScan(dependence, 20.0, 289.0001, 1.0).another(points) is None
+    assert UniquenessScan(dependence, 20.0, 289.0001, 1.0).find_other_root(points) is None
     low = UniquenessScan(dependence, 40.0, 0.0, 1e-3)
     low._root = 200.0  # beyond all points, where the same result is looked for
     low._scale = -1e-3
-    assert low.another(points) == pytest.approx(3.0, abs=0.02)
+    assert low.find_other_root(points) == pytest.approx(3.0, abs=0.02)
 
 
 def test_a_number_that_does_not_matter_is_not_fixed() -> None:
@@ -314,12 +314,12 @@ def test_no_time_is_asked_for_where_a_value_is_nearly_had_before(dip: float, fir
     values = np.interp(times, [0.0, 1.0, 2.0, 4.0], [4.0, dip, 4.0, 0.0])
     target = SimpleNamespace(values=lambda scan: values[: len(scan.times)])
     known = SimpleNamespace(trace=SimpleNamespace(scan=SimpleNamespace(times=times)))
-    assert _nearly_before(target, StatedResult("2.0", "m"), first, known) == nearly
+    assert _comes_close_before(target, StatedResult("2.0", "m"), first, known) == nearly
 
 
 def test_a_text_with_an_unknown_has_no_trace_of_it() -> None:
     one, other = ramp(angle=30.0), ramp(angle=47.0)
-    texts = {describe(scene, 4, hiding("ramp.plane.angle")).text for scene in (one, other)}
+    texts = {describe(scene, 4, symbolic_at("ramp.plane.angle")).text for scene in (one, other)}
     assert len(texts) == 1
     assert "$\\theta$" in texts.pop()
     assert [u.path for u in words_of(describe(one, 4)).unknowns] == ["ramp.plane.angle", "ramp.blocks.0.mass"]
@@ -332,7 +332,7 @@ def test_a_result_is_said_plainly_and_found_again(value: float, digits: int, sai
     given = StatedResult.rounded(value, "m/s", digits)
     assert given is not None
     assert given.digits == said
-    assert list(StatedResult.found(f"it is {given.said} then", "m/s")) == [given]
+    assert list(StatedResult.find_in_text(f"it is {given.text} then", "m/s")) == [given]
     assert abs(given.value - value) <= max(given.half, 0.05 * abs(value))
 
 

@@ -23,7 +23,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.text.prose.description import describe
-from sim2reason.text.prose.voices import hiding
+from sim2reason.text.prose.voices import symbolic_at
 
 REVERSE = MODES["reverse"]
 HANGING, SLOPING, ANGLE = "other.system.blocks.0.mass", "ramp.blocks.0.mass", "ramp.plane.angle"
@@ -105,7 +105,7 @@ def test_a_prompt_leaves_two_numbers_open() -> None:
 
 def test_two_open_numbers_need_a_question_about_a_limit() -> None:
     """Any other question would lack the second number."""
-    told = describe(half_atwood()).voiced(hiding(HANGING, ANGLE))
+    told = describe(half_atwood()).voiced(symbolic_at(HANGING, ANGLE))
     with pytest.raises(TextError, match="it does not tell"):
         parse_prompt(f"{told.text} What is the tension in the string? {FORM}")
 

@@ -39,7 +39,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.scenes.entities.pieces import FIRST, OTHER, BallPiece
+from sim2reason.scenes.entities.pieces import FIRST, OTHER_SIDE, BallPiece
 from sim2reason.scenes.entities.space import RocketEntity, SolarSystem
 from sim2reason.scenes.entities.spring_chains import Blow, SpringMassChain, Strained
 from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
@@ -121,7 +121,7 @@ def test_on_which_side_of_its_start_a_string_makes_an_angle_is_told() -> None:
     bob = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=1.2), angle=45.0, speed=1.5)
     scene = Scene(entities=(Named(name="swing", entity=bob),))
     search = QuestionSearch(scene, 0)
-    line = next(iter(search.words.called(SwingingLines())))
+    line = next(iter(search.words.subject_phrases(SwingingLines())))
     query = StretchQuery("sum", None, Deflected(line, 20.0), "impulse of the net force", "swing.bob")
     found = completed(scene, query, "N*s")
     speed = r"v^2 + 2 g \ell (\cos\alpha - \cos\theta)"
@@ -344,7 +344,7 @@ BALL_A = "arm.pieces.0.body"
 
 def two_sided(first: tuple[float, float], other: tuple[float, float]) -> Scene:
     """Build a light arm with a ball, of given mass and distance, on either side, released at 50°."""
-    sides = (first, FIRST), (other, OTHER)
+    sides = (first, FIRST), (other, OTHER_SIDE)
     balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for (m, d), side in sides)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
 
@@ -384,8 +384,8 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
     varied = Variations(search.study, query, symbols)
     rng, unanswered = np.random.default_rng(0), list[SimulatedScene]()
     never, somewhere = Symbol("a") + Symbol("b"), Symbol("a") - Symbol("b")
-    assert list(varied.turned(rng, (never,), 1.1, unanswered)) == []
-    turned = list(varied.turned(rng, (never, somewhere), 1.1, unanswered))
+    assert list(varied.draw_turned(rng, (never,), 1.1, unanswered)) == []
+    turned = list(varied.draw_turned(rng, (never, somewhere), 1.1, unanswered))
     beyond = EACH  # as many just beyond where the sign turns on the way there
     assert len(turned) + len(unanswered) == EACH + beyond
     signs = {each.values["a"] > each.values["b"] for each in turned}

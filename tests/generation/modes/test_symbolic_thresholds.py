@@ -23,7 +23,7 @@ from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.scenes.entities.pieces import FIRST, OTHER, BallPiece
+from sim2reason.scenes.entities.pieces import FIRST, OTHER_SIDE, BallPiece
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import ProblemContext, solve
@@ -97,7 +97,7 @@ def test_a_rod_that_goes_right_round_is_at_rest_on_top() -> None:
 
 def arm(first: float, other: float) -> Scene:
     """Build a light arm with ball A 0.3 m from the axle and ball B 0.5 m on the other side, at 3 rad/s from 40°."""
-    sides = (first, 0.3, FIRST), (other, 0.5, OTHER)
+    sides = (first, 0.3, FIRST), (other, 0.5, OTHER_SIDE)
     balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for m, d, side in sides)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=40.0, rate=3.0)),))
 
@@ -120,7 +120,7 @@ def test_a_limit_of_an_arm_says_on_which_side_its_centre_of_mass_is(
     side = "on the same side of the axle as" if same else "on the side of the axle opposite to"
     assert f"Assume that the centre of mass of the bodies on the arm is {side} ball A." in found.text
     study = search.study
-    text = solve(ProblemContext.of(found, study, search.words, search.description)).text
+    text = solve(ProblemContext.from_query(found, study, search.words, search.description)).text
     assert f"By assumption, the centre of mass is on {'this' if same else 'the opposite'} side, so $S" in text
     assert "The arm goes right round if $K$ is positive." in text
 

@@ -19,6 +19,6 @@ def test_an_acute_angle_is_tried_as_an_obtuse_one_too() -> None:
     sphere = next(name for name, body in study.mechanism.body.items() if body.mass)
     query = Query("start", Target("acceleration", sphere), AtStart())
     varied = Variations(study, query, [ProblemSymbol(r"\theta", "deg", 20.0, "arm.angle")])
-    angles = [other.values[r"\theta"] for other in varied.one_by_one(1.0, [])]
+    angles = [other.values[r"\theta"] for other in varied.vary_one_by_one(1.0, [])]
     assert angles[-1] == pytest.approx(radians(160.0))
     assert len(angles) == 3

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim2reason.generation.recipes.oscillators import PENDULUM_IDEAS
-from sim2reason.generation.recipes.ranges import one_of
+from sim2reason.generation.recipes.ranges import draw_idea
 from sim2reason.questions import SimulatedScene
 from sim2reason.questions.choices import data_relevant_from
 
@@ -13,7 +13,7 @@ SAMPLES = 41
 
 @pytest.mark.parametrize("seed", range(8))
 def test_every_hard_string_goes_slack_and_what_comes_before_is_no_problem(seed: int) -> None:
-    scene = one_of(PENDULUM_IDEAS["hard"], np.random.default_rng(seed), "pendulum")
+    scene = draw_idea(PENDULUM_IDEAS["hard"], np.random.default_rng(seed), "pendulum")
     trace = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLES)).trace
     slack = [event.time for event in trace.events if event.kind == "slack"]
     assert slack

@@ -13,7 +13,7 @@ from plain_scenes import G, atwood, half_atwood, ramp
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.comparison import ComparisonQuery
-from sim2reason.questions.kinds.nested import stripped
+from sim2reason.questions.kinds.nested import without_target_and_moment
 from sim2reason.questions.moments.times import AllAlong, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import sentence
@@ -33,7 +33,7 @@ def told(scene: Scene) -> tuple[SimulatedScene, Words]:
 
 
 def comparing(inner: Query, path: str, factor: float = 2.0) -> ComparisonQuery:
-    return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor)
+    return ComparisonQuery("comparison", inner.target, inner.moment, without_target_and_moment(inner), path, factor)
 
 
 def answer(query: ComparisonQuery, scene: Scene) -> float:

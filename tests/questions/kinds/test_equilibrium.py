@@ -58,7 +58,7 @@ def test_a_spring_that_a_load_stretches() -> None:
     mechanism = held()
     said = frozenset({"bench.spring.stiffness", "bench.spring.length", "bench.block.mass", "bench.load.mass"})
     study = SimulatedScene(atwood(), simulate(mechanism, np.linspace(0.0, 1.0, 11)))
-    words = Words(mechanism, mentions, released=True, said=said)
+    words = Words(mechanism, mentions, released=True, stated_paths=said)
     extension = 1.0 * G / 80.0
     expected = {
         "extension": extension,

@@ -25,7 +25,7 @@ BEST = 15.0 / sqrt(15.0**2 + 2.0 * G * 20.0)
 def answer(scene: Scene, **parts: str) -> float | None:
     """Return the answer to a structured question."""
     motion, words = simulate_scene(scene), words_of(describe(scene))
-    return pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+    return pose_question(StructuredQuestion.read(parts), motion, words).simulate_answer(motion).answer
 
 
 @pytest.mark.parametrize(

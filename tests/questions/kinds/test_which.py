@@ -167,7 +167,7 @@ def answered(scene: Scene, **parts: str) -> tuple[str, float | None]:
     """Return the subject and the number that answer a structured question."""
     motion = simulate_scene(scene)
     question = pose_question(StructuredQuestion.read(parts), motion, words_of(describe(scene)))
-    return question.query.subject, question.followed(motion).answer
+    return question.query.subject, question.simulate_answer(motion).answer
 
 
 def test_two_subjects_or_two_moments_in_parts() -> None:

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.errors import TextError
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.ordinary.turns_of_order import without_asides
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import understand_sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.files import load
 from sim2reason.text.prose.description import describe
@@ -20,8 +20,8 @@ def answer(name: str, question: str) -> float | None:
     """Return the answer to a question in ordinary English."""
     path = next(DATA.glob(f"*_scenes/{name}.yaml"))
     motion, words = simulate_scene(load(path)), words_of(describe(load(path)))
-    found = understood(question, motion, words)
-    return found.followed.answer if found is not None else None
+    found = understand_sentence(question, motion, words)
+    return found.simulated_answer.answer if found is not None else None
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ def answer(scene: str, asked: StructuredQuestion) -> float | None:
     """Return the answer to a question about a stored scene."""
     read = load(SCENES / f"{scene}.yaml")
     motion, words = simulate_scene(read), words_of(describe(read))
-    return pose_question(in_numbers(asked, motion, words), motion, words).followed(motion).answer
+    return pose_question(in_numbers(asked, motion, words), motion, words).simulate_answer(motion).answer
 
 
 def test_a_medium_stops_a_body_after_a_long_time() -> None:

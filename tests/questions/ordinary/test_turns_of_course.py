@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.rewording import reword_question
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ from sim2reason.questions.ordinary.rewording import reworded
 )
 def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
     """The plainer words are ones that the parser knows."""
-    assert reworded(told) == plain
+    assert reword_question(told) == plain
 
 
 @pytest.mark.parametrize(
@@ -38,4 +38,4 @@ def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
 )
 def test_what_is_no_such_turn_stays(told: str) -> None:
     """A phrase with an additional word is not replaced."""
-    assert reworded(told) == told
+    assert reword_question(told) == told

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.rewording import reword_question
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ from sim2reason.questions.ordinary.rewording import reworded
 )
 def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str) -> None:
     """The reworded question begins with the expected words."""
-    assert reworded(question).startswith(plain)
+    assert reword_question(question).startswith(plain)
 
 
 @pytest.mark.parametrize(
@@ -43,4 +43,4 @@ def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str)
 )
 def test_words_that_matter_are_left_in(question: str) -> None:
     """A question about another interval, order, direction or unit is not reworded."""
-    assert reworded(question) == question
+    assert reword_question(question) == question

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.rewording import reword_question
 from sim2reason.questions.ordinary.turns_of_order import without_leads
 
 
@@ -31,7 +31,7 @@ from sim2reason.questions.ordinary.turns_of_order import without_leads
 )
 def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str) -> None:
     """The reworded question begins with the expected words."""
-    assert reworded(question).startswith(plain)
+    assert reword_question(question).startswith(plain)
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,8 @@ from sim2reason.errors import TextError
 from sim2reason.questions import Words
 from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.ordinary.hearing import tokenize
-from sim2reason.questions.ordinary.reading import readings
-from sim2reason.questions.ordinary.understanding import suggestion, understood
+from sim2reason.questions.ordinary.reading import read_sentence
+from sim2reason.questions.ordinary.understanding import suggest_rewording, understand_sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.files import load
@@ -61,15 +61,15 @@ def outcome(asked: Asked) -> str:
     """Return *right*, *wrong* or *refused* for a question."""
     motion, words = scene(asked.scene)
     try:
-        found = understood(asked.question, motion, words)
+        found = understand_sentence(asked.question, motion, words)
     except TextError:
         return "refused"
-    if found is None or found.followed.answer is None:
+    if found is None or found.simulated_answer.answer is None:
         return "refused"
-    own, wanted = (parse_unit(unit.replace("1", "") or "") for unit in (found.posed.unit(words), asked.unit))
-    got = found.followed.answer * (own.factor_to(wanted) or float("nan"))
+    own, wanted = (parse_unit(unit.replace("1", "") or "") for unit in (found.posed_question.unit(words), asked.unit))
+    got = found.simulated_answer.answer * (own.factor_to(wanted) or float("nan"))
     got, value = (got, asked.value) if asked.signed else (abs(got), abs(asked.value))
-    return "right" if got == pytest.approx(value, rel=EXACT) else f"wrong: {asked.question} {got} {found.asked.told}"
+    return "right" if got == pytest.approx(value, rel=EXACT) else f"wrong: {asked.question} {got} {found.asked.text}"
 
 
 SCENES = sorted({asked.scene for asked in questions()})
@@ -101,7 +101,7 @@ def test_there_are_many_questions() -> None:
 def test_the_nearest_questions_are_offered(name: str, question: str, told: str) -> None:
     """Each question that an error offers is understood."""
     motion, words = scene(name)
-    said = suggestion(question, motion, words)
+    said = suggest_rewording(question, motion, words)
     assert "did you mean: " in said
     assert told in said
 
@@ -121,8 +121,8 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
 def test_what_has_no_question_is_refused_with_the_reason(name: str, question: str, why: str) -> None:
     """The error names the nearest questions too."""
     motion, words = scene(name)
-    assert understood(question, motion, words) is None
-    assert why in suggestion(question, motion, words)
+    assert understand_sentence(question, motion, words) is None
+    assert why in suggest_rewording(question, motion, words)
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
     """A question with a false presupposition is refused, and the error names it."""
     motion, words = scene(name)
     with pytest.raises(TextError, match=told):
-        understood(question, motion, words)
+        understand_sentence(question, motion, words)
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, 
 def test_a_hostile_question_is_read_at_once(question: str) -> None:
     """A hostile question is refused quickly, and one that is too long is not parsed in part."""
     _, words = scene("plank")
-    readings(tokenize("How fast is board A?", words))  # makes the tables
+    read_sentence(tokenize("How fast is board A?", words))  # makes the tables
     began = perf_counter()
-    assert readings(tokenize(question, words)) == ()
+    assert read_sentence(tokenize(question, words)) == ()
     assert perf_counter() - began < 2.0

@@ -9,7 +9,7 @@ import pytest
 from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.ordinary.hearing import tokenize
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import understand_sentence
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
@@ -43,11 +43,11 @@ def scene(name: str) -> tuple[FollowedMotion, Words]:
 def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: str) -> None:
     """The structured question that is shown has the same answer."""
     motion, words = scene(name)
-    found = understood(question, motion, words)
+    found = understand_sentence(question, motion, words)
     assert found is not None
-    assert found.followed.answer is not None
-    assert pose_question(found.asked, motion, words).followed(motion).answer == pytest.approx(
-        found.followed.answer, rel=1e-9
+    assert found.simulated_answer.answer is not None
+    assert pose_question(found.asked, motion, words).simulate_answer(motion).answer == pytest.approx(
+        found.simulated_answer.answer, rel=1e-9
     )
 
 
@@ -67,7 +67,7 @@ def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: st
 def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str) -> None:
     """The error says that several values are possible, or that a presupposition is false."""
     with pytest.raises(TextError, match=told):
-        understood(question, *scene(name))
+        understand_sentence(question, *scene(name))
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str)
 )
 def test_a_word_without_a_place_is_refused(question: str) -> None:
     """A question is not understood if any word of it has no meaning."""
-    assert understood(question, *scene("doubled_load")) is None
+    assert understand_sentence(question, *scene("doubled_load")) is None
 
 
 @pytest.mark.parametrize("part", ["a and ", "A, B, ", "g were 5 m/s² and "])
@@ -90,17 +90,17 @@ def test_a_long_list_of_suppositions_takes_little_time(part: str) -> None:
     """The time grows as a power of the number of parts, not exponentially."""
     asked = f"{'If ' + part * 60:.350}, what is the acceleration of A?"
     began = perf_counter()
-    assert understood(asked, *scene("doubled_load")) is None
+    assert understand_sentence(asked, *scene("doubled_load")) is None
     assert perf_counter() - began < 5.0
 
 
 def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
     """A pendulum's mode of small oscillations has a period, although this one swings through large angles."""
-    found = understood(
+    found = understand_sentence(
         "What would be the period if the arm were only swinging through small angles?", *scene("swung_sphere")
     )
     assert found is not None
-    assert found.followed.answer == pytest.approx(1.0882796185, rel=1e-8)
+    assert found.simulated_answer.answer == pytest.approx(1.0882796185, rel=1e-8)
 
 
 @pytest.mark.parametrize(
@@ -125,9 +125,9 @@ def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
 )
 def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, answer: float) -> None:
     """The condition may be a multiple, a bound or an initial wish, and an adjective may name the number."""
-    found = understood(question, *scene(name))
+    found = understand_sentence(question, *scene(name))
     assert found is not None
-    assert found.followed.answer == pytest.approx(answer, rel=1e-6)
+    assert found.simulated_answer.answer == pytest.approx(answer, rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -146,13 +146,13 @@ def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, ans
 def test_why_a_number_is_not_found_is_said(name: str, question: str, told: str) -> None:
     """The error gives the other end of the range, a second motion, or the limit of work."""
     with pytest.raises(TextError, match=told):
-        understood(question, *scene(name))
+        understand_sentence(question, *scene(name))
 
 
 def test_what_is_to_move_meanwhile_does() -> None:
     """A mass with which B stays at rest does not satisfy *while B falls*."""
     asked = "How heavy would B have to be for A to stay at rest while B falls?"
-    assert understood(asked, *scene("spring_and_load")) is None
+    assert understand_sentence(asked, *scene("spring_and_load")) is None
 
 
 def test_a_number_is_no_name_of_a_spring() -> None:
@@ -165,7 +165,7 @@ def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
     """A structured question may give the radius of the path."""
     motion, words = scene("field_circle")
     parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
-    found = pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+    found = pose_question(StructuredQuestion.read(parts), motion, words).simulate_answer(motion).answer
     assert found == pytest.approx(1.25, rel=1e-9)
 
 
@@ -187,25 +187,25 @@ def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
 def test_the_told_direction_of_a_change_must_be_right(name: str, question: str, reason: str) -> None:
     """A smoother plane, or a heavier block, would have the opposite effect."""
     with pytest.raises(TextError, match=reason):
-        understood(question, *scene(name))
+        understand_sentence(question, *scene(name))
 
 
 def test_of_several_values_that_which_the_sentence_tells_is_meant() -> None:
     """Both a heavier and a lighter block C meet the condition, and the sentence names one of them."""
     asked = "Suppose C is replaced by a {} block. What mass must it have so that A accelerates at 1.5 m/s² relative to"
-    heavier = understood(f"{asked.format('heavier')} the box?", *scene("loads_on_both_sides"))
-    lighter = understood(f"{asked.format('lighter')} the box?", *scene("loads_on_both_sides"))
+    heavier = understand_sentence(f"{asked.format('heavier')} the box?", *scene("loads_on_both_sides"))
+    lighter = understand_sentence(f"{asked.format('lighter')} the box?", *scene("loads_on_both_sides"))
     assert heavier is not None
     assert lighter is not None
-    assert heavier.followed.answer == pytest.approx(4.965106257, rel=1e-6)
-    assert lighter.followed.answer == pytest.approx(2.09706, rel=1e-4)
+    assert heavier.simulated_answer.answer == pytest.approx(4.965106257, rel=1e-6)
+    assert lighter.simulated_answer.answer == pytest.approx(2.09706, rel=1e-4)
 
 
 @pytest.mark.parametrize("asked", ["What magnetic field would make the period 2.0 s?"])
 def test_a_number_from_a_stated_period_is_found_in_time(asked: str) -> None:
     """B = 2πm/(qT); no motion is followed for longer than the period at a nearby value."""
     begun = perf_counter()
-    found = understood(asked, *scene("plain_gyration"))
+    found = understand_sentence(asked, *scene("plain_gyration"))
     assert found is not None
-    assert found.followed.answer == pytest.approx(3.316125580526, rel=1e-9)
+    assert found.simulated_answer.answer == pytest.approx(3.316125580526, rel=1e-9)
     assert perf_counter() - begun < 6.0  # more than thirty times what it takes beside the patterns' compilation

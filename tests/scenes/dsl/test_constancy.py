@@ -190,7 +190,7 @@ def test_directions_that_are_kept_change_no_length(family: str) -> None:
             except ZeroDivisionError:
                 continue
             found = with_them.distance(*ends)
-            assert found.way == pytest.approx(known.way, abs=1e-9)
+            assert found.direction == pytest.approx(known.direction, abs=1e-9)
             assert (found.value, found.rate, found.bias) == pytest.approx(
                 (known.value, known.rate, known.bias), rel=1e-9, abs=1e-9
             )

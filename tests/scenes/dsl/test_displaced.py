@@ -10,7 +10,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
-from sim2reason.scenes.dsl.state import displaced
+from sim2reason.scenes.dsl.state import displace
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.equilibrium import steady
 
@@ -34,7 +34,7 @@ def test_a_motion_goes_on_as_it_was(recipe: str, difficulty: str, seed: int) -> 
     if end < 1e-3 * scene.horizon or not steady(mechanism):
         return
     there = trace.sample(np.array([0.4 * end, 0.9 * end]))
-    again = displaced(mechanism, there.q[0].tolist(), there.v[0].tolist())
+    again = displace(mechanism, there.q[0].tolist(), there.v[0].tolist())
     state = simulate(again, np.array([0.0, 0.5 * end])).state
     size = max(1.0, float(np.abs(there.q).max()))
     assert np.allclose(state.q[1], there.q[1] - there.q[0], rtol=0.0, atol=1e-8 * size)
@@ -49,7 +49,7 @@ def test_slack_and_wound_strings_keep_their_length() -> None:
     room = builder.room().site("nail")
     room.body("load", 1.0, at=(0.0, 0.0, -1.0)).slide(Z, limits=(-0.3, 0.9)).site("hook")
     room.string("string", "nail", "hook", slack=0.3)
-    mechanism = displaced(builder.finish(), [0.2], [0.0])
+    mechanism = displace(builder.finish(), [0.2], [0.0])
     assert mechanism.line["string"].law.slack == pytest.approx(0.5)
     assert initial_frames(mechanism).length(mechanism.line["string"]) == pytest.approx(0.8)
     (coordinate,) = mechanism.coordinates
@@ -61,4 +61,4 @@ def test_a_body_that_has_left_its_own_hinge_can_not_begin_there() -> None:
     builder = Builder()
     builder.room().body("bead", 1.0).hinge(Y).slide(X)
     with pytest.raises(UnsupportedError, match="hinge"):
-        displaced(builder.finish(), [0.1, 0.5], [0.0, 0.0])
+        displace(builder.finish(), [0.1, 0.5], [0.0, 0.0])

@@ -7,7 +7,7 @@ from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley, Plane
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Connection, Link
-from sim2reason.scenes.dsl.defaults import opposite
+from sim2reason.scenes.dsl.defaults import opposite_direction
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.scenes.dsl.ports import Port
@@ -93,9 +93,9 @@ def test_a_glued_bight_lets_the_rest_move_as_if_it_were_fixed() -> None:
 
 
 def test_a_string_brings_a_pulley_where_directions_need_one() -> None:
-    assert opposite(X, (-1.0, 0.0, 0.0))
-    assert opposite(None, Z)
-    assert not opposite(Z, Z)
+    assert opposite_direction(X, (-1.0, 0.0, 0.0))
+    assert opposite_direction(None, Z)
+    assert not opposite_direction(Z, Z)
     assert [name for name in bight().bodies if name.startswith("tendon_1")] == ["tendon_1.pulley1"]
 
 

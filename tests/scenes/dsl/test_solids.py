@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quadrature import Cloud, block, column, lens, moments
 from sim2reason.scenes.dsl import solids
-from sim2reason.scenes.dsl.solids import PAIRS, Axes, Solid, axes_along, composed
+from sim2reason.scenes.dsl.solids import PAIRS, Axes, Solid, axes_along, compose_axes
 
 CLOSE = 1e-10
 
@@ -46,7 +46,7 @@ def test_turned_moved_joined_and_cut(seed: int) -> None:
 def test_two_turns_are_one(seed: int) -> None:
     rng = np.random.default_rng(seed)
     (first, one), (second, two) = rotation(rng), rotation(rng)
-    turned = np.array(composed(first, second)).T
+    turned = np.array(compose_axes(first, second)).T
     assert turned == pytest.approx(two @ one)
 
 

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
-from sim2reason.scenes.dsl.state import check_speeds
+from sim2reason.scenes.dsl.state import check_initial_speeds
 from sim2reason.simulation.trace import ENGINES
 
 TIMES = np.linspace(0.0, 0.5, 6)
@@ -62,7 +62,7 @@ def test_it_is_refused_by_name(mechanism: Mechanism, place: str, engine: str) ->
     [dumbbell(0.7, 0.7), ball(1.0, None), ball(1.0, 2.0), foot(0.0, 0.0), foot(0.3, 1.0), foot(0.3, 0.0, 0.1)],
 )
 def test_what_can_go_on_so_may_begin(mechanism: Mechanism) -> None:
-    check_speeds(mechanism)
+    check_initial_speeds(mechanism)
 
 
 def test_the_rod_of_a_dumbbell_that_flies_keeps_its_length() -> None:

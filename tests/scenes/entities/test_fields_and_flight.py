@@ -8,7 +8,7 @@ from lone_entities import drawn
 from sim2reason.errors import TextError
 from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.scenes import certify
-from sim2reason.testing.checks.texts import spare
+from sim2reason.testing.checks.texts import optional_sentences
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose import describe
 
@@ -39,7 +39,7 @@ def test_no_sentence_can_be_spared(name: str) -> None:
     for seed in range(8):
         scene = drawn(name, seed)
         description = describe(scene, seed)
-        sentences, spared = description.sentences, spare(description)
+        sentences, spared = description.sentences, optional_sentences(description)
         for cut in (number for number, sentence in enumerate(sentences) if sentence not in spared):
             text = " ".join(sentences[:cut] + sentences[cut + 1 :]).replace(" \n\n", "\n\n").replace("\n\n ", "\n\n")
             try:

@@ -26,8 +26,8 @@ from sim2reason.scenes.entities.pendulums import RigidPendulum, RotationEntity, 
 from sim2reason.scenes.entities.pieces import (
     FIRST,
     LIKE_FIRST,
-    OTHER,
-    SAME,
+    OTHER_SIDE,
+    SAME_SIDE,
     UNLIKE_FIRST,
     AnyPiece,
     AxialPiece,
@@ -297,16 +297,18 @@ def test_a_rod_ends_in_what_is_thick_on_its_own_side_alone() -> None:
     rod = AxialPiece(body=UniformRod(mass=1.0, length=0.5), distance=0.1, axis="along the arm")
     assert len(RotationEntity(pieces=(ball, rod), angle=9.0).pieces) == 2
     with pytest.raises(ValueError, match="overlap"):
-        RotationEntity(pieces=(ball, rod.model_copy(update={"side": OTHER})), angle=9.0)
+        RotationEntity(pieces=(ball, rod.model_copy(update={"side": OTHER_SIDE})), angle=9.0)
 
 
-@pytest.mark.parametrize(("side", "angle", "line"), [(OTHER, 150.0, "the bodies on the arm"), (SAME, 30.0, "the arm")])
+@pytest.mark.parametrize(
+    ("side", "angle", "line"), [(OTHER_SIDE, 150.0, "the bodies on the arm"), (SAME_SIDE, 30.0, "the arm")]
+)
 def test_an_arm_that_carries_bodies_on_both_sides_does_not_point(side: Side, angle: float, line: str) -> None:
     """The centre of mass is on the side of the ball at 2 m, not at 0.5 m: the deflection is 30° or 180° − 30°."""
     near = BallPiece(body=FixedBall(mass=1.0), distance=0.5)
     arm = RotationEntity(pieces=(near, near.model_copy(update={"distance": 2.0, "side": side})), angle=30.0)
     search = QuestionSearch(Scene(entities=(Named(name="it", entity=arm),)), 0)
-    (name, phrase), *others = search.words.called(SwingingLines()).items()
+    (name, phrase), *others = search.words.subject_phrases(SwingingLines()).items()
     assert not others
     assert phrase.endswith(line)
     assert QUANTITIES["deflection"].evaluate(search.study.trace.at(0.0), name)[0] == pytest.approx(angle)
@@ -357,10 +359,10 @@ def test_once_a_piece_is_on_the_other_side_the_next_is_told_from_the_first() -> 
 
     def sides(*opposite: bool) -> list[str]:
         balls = (
-            BallPiece(body=FixedBall(mass=1.0), distance=0.2 + 0.1 * n, side=OTHER if beyond else SAME)
+            BallPiece(body=FixedBall(mass=1.0), distance=0.2 + 0.1 * n, side=OTHER_SIDE if beyond else SAME_SIDE)
             for n, beyond in enumerate(opposite)
         )
         return [piece.side for piece in RotationEntity(pieces=tuple(balls), angle=40.0).pieces]
 
-    assert sides(False, False, True) == [FIRST, SAME, OTHER]
-    assert sides(False, True, True, False) == [FIRST, OTHER, UNLIKE_FIRST, LIKE_FIRST]
+    assert sides(False, False, True) == [FIRST, SAME_SIDE, OTHER_SIDE]
+    assert sides(False, True, True, False) == [FIRST, OTHER_SIDE, UNLIKE_FIRST, LIKE_FIRST]

@@ -12,7 +12,7 @@ from sim2reason.base.yaml_text import MAX_BYTES
 from sim2reason.errors import SceneError
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Link
-from sim2reason.scenes.dsl.entity import ENTITIES, outer_ports, ports_of
+from sim2reason.scenes.dsl.entity import ENTITIES, declared_ports, outer_ports
 from sim2reason.scenes.dsl.ports import Pass
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, load, loads
@@ -192,7 +192,7 @@ def test_a_side_may_be_said_as_a_connecting_point() -> None:
 
 def forget_ports() -> None:
     """Clear the caches of properties of classes, which only change in a test."""
-    for kept in (directions, outer_ports, ports_of):
+    for kept in (directions, outer_ports, declared_ports):
         kept.cache_clear()
 
 

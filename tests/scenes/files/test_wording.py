@@ -4,7 +4,7 @@ import pytest
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.item_search import sample
-from sim2reason.scenes.files import Wording, dump, loads, wording_of
+from sim2reason.scenes.files import Wording, dump, loads, read_wording
 
 SCENE = sample("pulley", "easy", seed=7)
 
@@ -12,12 +12,12 @@ SCENE = sample("pulley", "easy", seed=7)
 @pytest.mark.parametrize("wording", [Wording(), Wording(12, ("world.gravity",), ("start", "axes"))])
 def test_it_is_read_back(wording: Wording) -> None:
     text = dump(SCENE, wording)
-    assert wording_of(text) == wording
+    assert read_wording(text) == wording
     assert loads(text) == SCENE
 
 
 def test_a_file_need_not_have_any() -> None:
-    assert wording_of(dump(SCENE)) is None
+    assert read_wording(dump(SCENE)) is None
 
 
 @pytest.mark.parametrize(
@@ -38,4 +38,4 @@ def test_what_is_wrong_with_it_is_said_with_its_place(said: str, place: str) -> 
         loads(text)
     assert error.value.place.startswith(f"{place} (line ")
     with pytest.raises(SceneError):
-        wording_of(text)
+        read_wording(text)

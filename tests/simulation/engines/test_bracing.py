@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
-from sim2reason.simulation.engines.exact.margins import greatest_least
+from sim2reason.simulation.engines.exact.margins import maximize_least
 from sim2reason.simulation.trace import ENGINES
 
 G, STIFFNESS, CART, SPEED = 9.8, 40.0, 6.0, 2.0
@@ -47,8 +47,8 @@ def test_a_train_gives_way_when_all_friction_is_used_up(
 
 
 def test_the_greatest_least_margin() -> None:
-    assert greatest_least([3.0, 1.0], [[1.0], [-1.0]]) == (2.0, {0, 1})
-    assert greatest_least([3.0, 1.0, 0.5], [[1.0], [-1.0], [0.0]]) == (0.5, {2})
-    assert greatest_least([1.0], [[1.0]])[0] == inf
-    value, tight = greatest_least([4.0, 2.0, 3.0], [[1.0, 0.0], [-1.0, 1.0], [0.0, -1.0]])
+    assert maximize_least([3.0, 1.0], [[1.0], [-1.0]]) == (2.0, {0, 1})
+    assert maximize_least([3.0, 1.0, 0.5], [[1.0], [-1.0], [0.0]]) == (0.5, {2})
+    assert maximize_least([1.0], [[1.0]])[0] == inf
+    value, tight = maximize_least([4.0, 2.0, 3.0], [[1.0, 0.0], [-1.0, 1.0], [0.0, -1.0]])
     assert (value, tight) == (pytest.approx(3.0), {0, 1, 2})

@@ -33,7 +33,7 @@ def found(scene: Scene, when: str, along: str = "", find: str = "axle force") ->
     """Return the force in N, or its component along a direction."""
     motion, words = simulate_scene(scene), words_of(describe(scene))
     of = "the arm" if find != "force on the axle" else "arm.arm"
-    answer = pose_question(StructuredQuestion(find, of, when, along), motion, words).followed(motion).answer
+    answer = pose_question(StructuredQuestion(find, of, when, along), motion, words).simulate_answer(motion).answer
     assert answer is not None
     return answer
 

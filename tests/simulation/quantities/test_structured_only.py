@@ -11,7 +11,7 @@ from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scenes.dsl.state import displaced
+from sim2reason.scenes.dsl.state import displace
 from sim2reason.scenes.files import load
 from sim2reason.text.prose.description import describe
 
@@ -26,7 +26,7 @@ def found(name: str, find: str, of: str, when: str) -> float:
     """Return the answer to a structured question, in the units of the scene."""
     scene = load(SCENES / f"{name}.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
-    answer = pose_question(StructuredQuestion(find, of, when), motion, words).followed(motion).answer
+    answer = pose_question(StructuredQuestion(find, of, when), motion, words).simulate_answer(motion).answer
     assert answer is not None
     return answer
 
@@ -150,9 +150,9 @@ def test_an_energy_has_no_direction() -> None:
     motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="no components"):
         pose_question(StructuredQuestion("spring energy", "", "at 0.1 s", "stretched"), motion, words)
-    pushes = pose_question(StructuredQuestion("spring force", "", "at start", "stretched"), motion, words).followed(
-        motion
-    )
+    pushes = pose_question(
+        StructuredQuestion("spring force", "", "at start", "stretched"), motion, words
+    ).simulate_answer(motion)
     assert pushes.answer == pytest.approx(-133.0 * 0.14)
 
 
@@ -184,7 +184,7 @@ def test_only_stated_axes_have_coordinates() -> None:
 def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
     """Coordinates of displaced bodies still refer to the origin of the text."""
     mechanism = load(SCENES / "dull_carts.yaml").mechanism
-    later = displaced(mechanism, [0.1, -0.2], [0.0, 0.0])
+    later = displace(mechanism, [0.1, -0.2], [0.0, 0.0])
     assert [place[1] for each in later.coordinates if (place := each.stated)] == pytest.approx([-1.34, -1.18])
 
 
@@ -197,4 +197,4 @@ def test_a_field_in_a_region_acts_there_and_on_its_border_alone(time: float, for
     scene = load(SCENES / "crt.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = pose_question(StructuredQuestion("electric force", when=f"at {time} s"), motion, words)
-    assert asked.followed(motion).answer == pytest.approx(force * 1e6, rel=1e-9)  # in the text's µN
+    assert asked.simulate_answer(motion).answer == pytest.approx(force * 1e6, rel=1e-9)  # in the text's µN

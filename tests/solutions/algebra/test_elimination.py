@@ -13,7 +13,9 @@ def solve_atwood() -> SolutionBuilder:
     book = SolutionBuilder()
     for name, value, unit in (("m_1", 1.0, "kg"), ("m_2", 3.0, "kg"), ("g", 9.8, "m/s²")):
         book.state_given(name, value, unit)
-    first, second, gravity, rate, tension = (Polynomial.of(Symbol(name)) for name in ("m_1", "m_2", "g", "a", "T"))
+    first, second, gravity, rate, tension = (
+        Polynomial.from_expression(Symbol(name)) for name in ("m_1", "m_2", "g", "a", "T")
+    )
     equations = [
         Equation("(1)", tension - first * gravity, first * rate, rate),
         Equation("(2)", second * gravity - tension, second * rate, rate),

@@ -3,7 +3,16 @@
 import pytest
 
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Quotient,
+    Sum,
+    Symbol,
+    multiply_factors,
+    sum_terms,
+)
 from sim2reason.solutions.algebra.functions import Call, Power, with_plain_signs
 from sim2reason.solutions.solution import Relation
 
@@ -14,12 +23,15 @@ AT = {"a": 0.7, "b": 1.1, "d": 0.3, "x_0": -0.9, "q": 0.4}
 @pytest.mark.parametrize(
     ("held", "written"),
     [
-        (added(ONE, multiplied(Number(-1.0), Quotient(-D, X))), r"1 + \frac{d}{x_0}"),
+        (sum_terms(ONE, multiply_factors(Number(-1.0), Quotient(-D, X))), r"1 + \frac{d}{x_0}"),
         (Quotient(-D, A - B), r"\frac{d}{b - a}"),
-        (multiplied(Number(-1.0), Quotient(D, A - B)), r"\frac{d}{b - a}"),
-        (Power(multiplied(Number(-1.0), Quotient(-D, X)), 2), r"\left(\frac{d}{x_0}\right)^{2}"),
+        (multiply_factors(Number(-1.0), Quotient(D, A - B)), r"\frac{d}{b - a}"),
+        (Power(multiply_factors(Number(-1.0), Quotient(-D, X)), 2), r"\left(\frac{d}{x_0}\right)^{2}"),
         (D - Call("arctan", -A), r"d + \arctan a"),
-        (added(-D, multiplied(Number(-1.0), multiplied(NumericFormula(-A, -0.7), B))), r"0.70000\,b - d"),
+        (
+            sum_terms(-D, multiply_factors(Number(-1.0), multiply_factors(NumericFormula(-A, -0.7), B))),
+            r"0.70000\,b - d",
+        ),
         (Quotient(Sum((-A, -B)), D), r"-\frac{a + b}{d}"),
         (A - B, r"a - b"),
     ],

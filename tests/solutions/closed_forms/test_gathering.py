@@ -13,9 +13,9 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.closed_forms.gathering import factor_terms, with_factors_in_front
@@ -77,12 +77,12 @@ def formulas() -> st.SearchStrategy[Expression]:
     return st.recursive(
         st.sampled_from([A, B, G, MU, SIN, COS, Number(2.0), Number(-0.5)]),
         lambda inner: st.one_of(
-            pairs(inner, inner).map(lambda p: added(*p)),
-            pairs(inner, inner).map(lambda p: multiplied(*p)),
-            pairs(inner, inner).map(lambda p: added(multiplied(p[0], G), multiplied(-p[1], G))),
+            pairs(inner, inner).map(lambda p: sum_terms(*p)),
+            pairs(inner, inner).map(lambda p: multiply_factors(*p)),
+            pairs(inner, inner).map(lambda p: sum_terms(multiply_factors(p[0], G), multiply_factors(-p[1], G))),
             inner.map(lambda e: Power(e, 2)),
-            inner.map(lambda e: Root(added(Power(e, 2), Number(1.0)))),
-            pairs(inner, inner).map(lambda p: ratio(p[0], added(Power(p[1], 2), Number(1.0)))),
+            inner.map(lambda e: Root(sum_terms(Power(e, 2), Number(1.0)))),
+            pairs(inner, inner).map(lambda p: ratio(p[0], sum_terms(Power(p[1], 2), Number(1.0)))),
         ),
         max_leaves=8,
     )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.laws.nested import verify_again
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
@@ -17,7 +17,7 @@ def doubled(limit: float) -> SolutionBuilder:
     step = book.begin_step("doubling")
     for number in range(STEPS):
         name = Symbol(f"a_{{{number}}}")
-        half = multiplied(Number(0.5), added(last, last))
+        half = multiply_factors(Number(0.5), sum_terms(last, last))
         step.add_text(step.result(name, half, "", law=True))
         last = name
     step.close()

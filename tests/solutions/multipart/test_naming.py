@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.multipart import naming_fault, unify_names
-from sim2reason.solutions.multipart.recall import EARLIER, recall_results
+from sim2reason.solutions.multipart.recall import RECALLED_STEP_KIND, recall_results
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 MASS = Symbol("m")
@@ -111,7 +111,7 @@ def test_tensions_of_different_strings_have_different_names() -> None:
 
 def test_a_name_that_the_named_part_has_not_is_refused() -> None:
     first, second = told(COLLIDING, LATER)
-    recalled = next(step for step in second.steps if step.kind == EARLIER)
+    recalled = next(step for step in second.steps if step.kind == RECALLED_STEP_KIND)
     assert recalled.gives == ("t_1",)
     other = replace(recalled, text=recalled.text.replace("t_1", "t_3"), gives=("t_3",))
     planted = replace(second, steps=tuple(other if step is recalled else step for step in second.steps))

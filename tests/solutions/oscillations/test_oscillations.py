@@ -28,7 +28,7 @@ from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, so
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, faults
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, faults
 from worked import asked, solution_text
 
 G, STIFFNESS, MASS = 9.8, 50.0, 2.0
@@ -60,7 +60,7 @@ def found(scene: Scene, query: Query, *names: str) -> float:
 def sound(solution: Solution, setting: ProblemContext) -> float:
     assert solution.answer is not None, solution.reason
     assert setting.answer is not None
-    assert not faults(solution, setting.answer, SEEN.get(setting.query.kind, RELATION_RTOL)), solution.text
+    assert not faults(solution, setting.answer, RTOL_BY_KIND.get(setting.query.kind, RELATION_RTOL)), solution.text
     assert not read(solution.text).broken
     return solution.answer
 

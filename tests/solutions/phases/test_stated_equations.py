@@ -73,7 +73,7 @@ def test_a_rocket_on_a_planet_has_its_own_gravity_in_its_equation(launch: Proble
 def test_laws_in_which_something_has_no_value_are_refused(
     launch: ProblemContext, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(EquationsOfMotion, "load", lambda *_: Polynomial.of(Symbol("z")))
+    monkeypatch.setattr(EquationsOfMotion, "load", lambda *_: Polynomial.from_expression(Symbol("z")))
     assert "no number for z" in solve_with(STRATEGIES["integration"], launch).reason
 
 

@@ -35,7 +35,7 @@ from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.solutions.swings.carriage import carriage_system
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, faults
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, faults
 from worked import asked, solution_text
 
 NAME = "momentum and energy on a carriage"
@@ -56,7 +56,7 @@ def derived(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.strategy == NAME, found.reason
     assert setting.answer is not None
-    assert not faults(found, setting.answer, SEEN.get(setting.query.kind, RELATION_RTOL)), found.text
+    assert not faults(found, setting.answer, RTOL_BY_KIND.get(setting.query.kind, RELATION_RTOL)), found.text
     reading = read(found.text)
     assert not [*reading.broken, *reading.unread]
     return found

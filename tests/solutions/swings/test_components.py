@@ -13,7 +13,7 @@ from sim2reason.scenes.bodies.round_bodies import Hoop
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import RotationEntity
-from sim2reason.scenes.entities.pieces import OTHER, SAME, AxialPiece, BallPiece
+from sim2reason.scenes.entities.pieces import OTHER_SIDE, SAME_SIDE, AxialPiece, BallPiece
 from worked import derived, solution_text
 
 G, ANGLE, RADIUS, HOOP, NEAR, FAR = 9.8, 47.0, 0.17, 9.0, 0.2, 0.4
@@ -23,7 +23,7 @@ PIECE = "arm.pieces.0"
 def arm(ball: float, *, together: bool = False, rate: float | None = None) -> Scene:
     """Return a scene with a hoop and a ball on opposite sides of an axle, or on one side if `together` is true."""
     hoop = AxialPiece(distance=NEAR, body=Hoop(mass=HOOP, radius=RADIUS), axis="along the arm")
-    weight = BallPiece(distance=FAR, side=SAME if together else OTHER, body=FixedBall(mass=ball))
+    weight = BallPiece(distance=FAR, side=SAME_SIDE if together else OTHER_SIDE, body=FixedBall(mass=ball))
     entity = RotationEntity(pieces=(hoop, weight), angle=ANGLE, rate=rate)
     return Scene(entities=(Named(name="arm", entity=entity),))
 

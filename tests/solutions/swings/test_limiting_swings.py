@@ -16,7 +16,7 @@ from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.scenes.entities.pieces import AxialPiece, CappedPiece
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solution_text import read
-from sim2reason.testing.solution_verification import SEEN, faults
+from sim2reason.testing.solution_verification import RTOL_BY_KIND, faults
 from worked import asked
 
 G, LENGTH, ANGLE = 9.8, 0.8, 40.0
@@ -28,7 +28,7 @@ def limit(name: str, entity: Entity, outcome: PossibleOutcome, path: str, about:
     found = solve(setting)
     assert setting.answer is not None
     assert found.strategy == "limiting swing", found.reason
-    assert not faults(found, setting.answer, SEEN["threshold"])
+    assert not faults(found, setting.answer, RTOL_BY_KIND["threshold"])
     assert not read(found.text).broken
     return found
 

@@ -7,7 +7,7 @@ import pytest
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.solution import Relation, Step
-from sim2reason.solutions.writing.arrangement import MIN_NAMES_FOR_ROWS, ROWS, TIME, VELOCITY, group_steps, merged
+from sim2reason.solutions.writing.arrangement import MIN_NAMES_FOR_ROWS, ROWS, TIME, VELOCITY, group_steps, merge_steps
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import WORDS, faults, words
 from worked import settings_of, solution_text
@@ -64,7 +64,7 @@ def test_each_row_has_steps_of_its_own_kind_only() -> None:
 def test_sentences_that_rest_on_one_step_are_one_sentence_and_so_are_those_that_rest_on_it() -> None:
     """Velocities along x and y after one impact are an example."""
     steps = [velocity(0), velocity(1), velocity(2, 0), velocity(3, 1)]
-    assert [step.gives for step in merged(steps)] == [("v_0", "v_1"), ("v_2", "v_3")]
+    assert [step.gives for step in merge_steps(steps)] == [("v_0", "v_1"), ("v_2", "v_3")]
 
 
 @pytest.mark.parametrize(("difficulty", "index"), [("medium", 8), ("hard", 2)])

@@ -7,7 +7,7 @@ import pytest
 from sim2reason.grading.tokens import canonical, tokenize
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.writing.notation import NameAllocator, numbered, primed
+from sim2reason.solutions.writing.notation import NameAllocator, numbered_names, with_primes
 
 
 @pytest.mark.parametrize(
@@ -23,7 +23,7 @@ from sim2reason.solutions.writing.notation import NameAllocator, numbered, prime
     ],
 )
 def test_the_next_number_follows_without_a_second_one_below(name: str, following: list[str]) -> None:
-    assert [*islice(numbered(name), 2)] == following
+    assert [*islice(numbered_names(name), 2)] == following
 
 
 def test_a_name_is_given_once() -> None:
@@ -42,7 +42,7 @@ def test_values_after_impacts_have_primes() -> None:
 
 
 def test_a_power_of_a_primed_name_is_no_double_superscript() -> None:
-    assert Power(Symbol(primed("v_A")), 2).latex() == "{v'_A}^{2}"
+    assert Power(Symbol(with_primes("v_A")), 2).latex() == "{v'_A}^{2}"
     assert Power(Symbol("v_A"), 2).latex() == "v_A^{2}"
 
 

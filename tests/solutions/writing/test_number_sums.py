@@ -23,7 +23,7 @@ def atoms(seed: int) -> dict[str, LabelledNumber]:
 
 
 def named(name: str) -> Polynomial:
-    return Polynomial.of(Symbol(name))
+    return Polynomial.from_expression(Symbol(name))
 
 
 def found(held: dict[str, LabelledNumber], polynomial: Polynomial) -> Polynomial | None:
@@ -35,7 +35,7 @@ def found(held: dict[str, LabelledNumber], polynomial: Polynomial) -> Polynomial
 @given(st.integers(0, 50), st.sets(st.sampled_from(MASSES), min_size=2), st.sampled_from((1.0, -1.0)))
 def test_a_total_mass_times_two_numbers_is_found(seed: int, masses: set[str], sign: float) -> None:
     total = sum((named(name) for name in sorted(masses)), Polynomial({}))
-    sought = (total * named("g") * named("s")).scaled(sign)
+    sought = (total * named("g") * named("s")).scale(sign)
     read = found(atoms(seed), sought)
     assert read is not None
     assert not read - sought
@@ -45,7 +45,7 @@ def test_a_total_mass_times_two_numbers_is_found(seed: int, masses: set[str], si
 def test_a_sum_of_two_products_is_found(seed: int, one: float, other: float) -> None:
     """An example is ½ m (R² + r²) for a tube."""
     mass, outer, inner = (named(name) for name in ("m_A", "R", "r"))
-    sought = (mass * outer * outer).scaled(one) + (mass * inner * inner).scaled(other)
+    sought = (mass * outer * outer).scale(one) + (mass * inner * inner).scale(other)
     read = found(atoms(seed), sought)
     assert read is not None
     assert read.value(VALUES) == pytest.approx(sought.value(VALUES), rel=1e-9)

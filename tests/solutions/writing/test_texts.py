@@ -11,7 +11,7 @@ from plain_scenes import atwood, row
 from sim2reason.datasets.grade import grade
 from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES, Query, Question, StatedResult, Target
@@ -29,7 +29,7 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.solution import convert_answer
-from sim2reason.solutions.writing.arrangement import merged
+from sim2reason.solutions.writing.arrangement import merge_steps
 from sim2reason.solutions.writing.notation import latex, unit_of
 from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.testing.solution_text import read
@@ -78,7 +78,7 @@ def test_a_unit_is_read_back_from_its_latex(unit: str) -> None:
 @pytest.mark.parametrize(("recipe", "index"), [("hybrid", 0), ("pendulum", 0)])
 def test_a_solution_in_symbols_holds_at_every_binding_and_is_graded_right(recipe: str, index: int) -> None:
     request = Request(recipe, "easy", "symbolic", 0, index)
-    item, solution = item_of(request, made(request)), worked_solution(request, made(request))
+    item, solution = build_item(request, made(request)), worked_solution(request, made(request))
     assert item.answer.formula is not None
     assert solution.formula == item.answer.formula.latex
     assert grade(item, solution.text).reward == 1.0
@@ -96,7 +96,7 @@ def test_a_symbol_of_what_a_text_does_not_tell_is_free_for_its_question() -> Non
     question = symbolic.completed(plain, search.study, search.words, np.random.default_rng(0))
     assert question is not None
     text = symbolic.described(question, search.description)
-    solution = solve(ProblemContext.of(question, search.study, search.words, text))
+    solution = solve(ProblemContext.from_query(question, search.study, search.words, text))
     assert "d" in solution.values
     assert not solution.text.startswith("Given")
     assert not read(solution.text, {"d": 0.05, "m": 2.0, "k": 50.0, "v": 1.5}).broken
@@ -104,7 +104,7 @@ def test_a_symbol_of_what_a_text_does_not_tell_is_free_for_its_question() -> Non
 
 def test_a_prompt_in_other_units_with_an_unknown_is_solved() -> None:
     request = Request("incline", "easy", "reverse", 0, 5, units="cgs")
-    item = item_of(request, made(request))
+    item = build_item(request, made(request))
     solution, _ = solve_prompt(item.prompt)
     assert solution.answer is not None, solution.reason
     factor = (
@@ -123,7 +123,7 @@ def test_like_sentences_that_rest_on_the_same_become_one() -> None:
     book.add_step("other", "Elsewhere,", Symbol("z"), 5.0 * first)
     book.add_step("after", "After it,", Symbol("y"), 4.0 * first)
     book.add_step("after", "After it,", Symbol("w"), 4.0 * Symbol("z"))
-    texts = [step.text for step in merged(book.steps)]
+    texts = [step.text for step in merge_steps(book.steps)]
     assert texts == [
         "So the speed is $u = 3 a = 6.0000$.".replace("3 a", "3\\,a"),
         "After it, $x = 2\\,u = 12.000$ and $y = 4\\,u = 24.000$.",
@@ -138,7 +138,7 @@ def test_unknowns_are_eliminated_crosswise() -> None:
     book = SolutionBuilder(called={})
     for name, value in values.items():
         book.set_value(name, value)
-    M, m, n, F, G = (Polynomial.of(Symbol(name)) for name in values)
+    M, m, n, F, G = (Polynomial.from_expression(Symbol(name)) for name in values)
     equations = [SymbolicEquation("(P)", {"x": M, "y": m}, F), SymbolicEquation("(Q)", {"x": m, "y": n}, G)]
     CrossElimination(book, {"x": "", "y": ""}, book.begin_step).reduce(equations, ["x", "y"])
     x = (3.0 * 7.0 - 2.0 * 4.0) / (5.0 * 3.0 - 4.0)
@@ -157,7 +157,7 @@ def test_no_sentence_joins_one_that_stands_before_its_names_are_introduced() -> 
         step.add_text(f"Let ${name}$ be the acceleration.")
         step.close()
         book.add_step("law", "Along the slope,", Symbol(name), 0.5 * Symbol("g"))
-    texts = [step.text for step in merged(book.steps)]
+    texts = [step.text for step in merge_steps(book.steps)]
     assert texts == [
         "Let $a$ be the acceleration.",
         r"Along the slope, $a = \tfrac{1}{2} g = 4.9000$.",

@@ -27,11 +27,18 @@ from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution
 from sim2reason.scenes.files import load
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.testing.checks.texts import meaning, meant, numbers, spare, together, without_one
+from sim2reason.testing.checks.texts import (
+    join_sentences,
+    meaning,
+    numbers,
+    optional_sentences,
+    text_signature,
+    without_one,
+)
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.ordinary.content import forms
-from sim2reason.text.parsing.sentences import MAX_CHARACTERS, MAX_PIECES, pieces
+from sim2reason.text.parsing.sentences import MAX_CHARACTERS, MAX_PIECES, split_pieces
 from sim2reason.text.prose.description import Description, describe
 
 TIERS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
@@ -64,7 +71,7 @@ def accelerations(scene: Scene, names: dict[str, str]) -> dict[str, np.ndarray]:
 def test_every_scene_is_read_back(recipe: str, difficulty: Difficulty, scenes: int) -> None:
     for number, description in enumerate(drawn(recipe, difficulty, scenes)):
         reading = parse_scene(description.text, np.random.default_rng(number))
-        assert meant(reading) == meaning(description), description.text
+        assert text_signature(reading) == meaning(description), description.text
         assert numbers(reading.scene) == numbers(description.scene), description.text
         for address in description.names.letters:
             assert description.mention(address) in reading.names
@@ -79,7 +86,7 @@ def test_scenes_that_no_recipe_draws_are_read_back(chunk: int) -> None:
             description = describe(load(write(composed(np.random.default_rng([chunk, index])))), index)
         except SceneError:
             continue
-        assert meant(parse_scene(description.text)) == meaning(description), description.text
+        assert text_signature(parse_scene(description.text)) == meaning(description), description.text
         read_back += 1
     assert read_back > 20
 
@@ -109,7 +116,7 @@ def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Dif
     scene = next(drawn(recipe, difficulty, 1, first=900)).scene
     for seed in range(count):
         description = describe(scene, seed)
-        assert meant(parse_scene(description.text)) == meaning(description), description.text
+        assert text_signature(parse_scene(description.text)) == meaning(description), description.text
 
 
 @pytest.mark.parametrize(
@@ -122,14 +129,14 @@ def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty, scenes: in
     `testing/test_entities` checks each entity in this way.
     """
     for description in drawn(recipe, difficulty, scenes, first=1000):
-        for cut, text in without_one(list(pieces(description.text))):
-            if cut in spare(description):
+        for cut, text in without_one(list(split_pieces(description.text))):
+            if cut in optional_sentences(description):
                 continue
             try:
                 reading = parse_scene(text)
             except TextError:
                 continue
-            assert meant(reading) != meaning(description), text
+            assert text_signature(reading) != meaning(description), text
 
 
 @pytest.mark.parametrize(
@@ -145,7 +152,7 @@ def test_another_number_is_another_scene(recipe: str, difficulty: Difficulty, sc
                 reading = parse_scene(description.text[: match.start()] + other + description.text[match.end() :])
             except TextError:
                 continue
-            assert meant(reading) != meaning(description), (digits, other, description.text)
+            assert text_signature(reading) != meaning(description), (digits, other, description.text)
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
@@ -162,7 +169,7 @@ def test_two_swapped_numbers_are_another_scene(recipe: str, difficulty: Difficul
                 read = parse_scene(text)
             except TextError:  # such a scene can't be: a rocket is not lighter with its fuel
                 continue
-            assert meant(read) != meaning(description), text
+            assert text_signature(read) != meaning(description), text
 
 
 def _table() -> Scene:
@@ -180,7 +187,7 @@ def test_pairs_with_a_restitution_of_their_own(count: int) -> None:
     scene = scene.having("table.pairs", own).having("table.restitution", 0.7)
     for seed in range(6):
         description = describe(scene, seed)
-        assert meant(parse_scene(description.text)) == meaning(description), description.text
+        assert text_signature(parse_scene(description.text)) == meaning(description), description.text
 
 
 def test_columns_that_agree_are_read_from_their_sentence() -> None:
@@ -189,7 +196,7 @@ def test_columns_that_agree_are_read_from_their_sentence() -> None:
         scene = scene.having(f"table.pucks.{index}.mass", 2.0).having(f"table.pucks.{index}.vy", 0.0)
     description = describe(scene, 1)
     assert description.text.count("Each has") == 2
-    assert meant(parse_scene(description.text)) == meaning(description)
+    assert text_signature(parse_scene(description.text)) == meaning(description)
 
 
 def test_a_string_whose_entities_are_told_the_other_way_round() -> None:
@@ -204,7 +211,7 @@ def test_a_string_whose_entities_are_told_the_other_way_round() -> None:
     links = tuple(Link(entity=name, port=port) for name, port in (("c", "end"), ("b", "under"), ("a", "right")))
     description = describe(Scene(entities=entities, connections=(string(links=links),)))
     reading = parse_scene(description.text)
-    assert meant(reading) == meaning(description)
+    assert text_signature(reading) == meaning(description)
     assert [link.port for link in reading.scene.connections[0].links][:2] == ["end", "under"]
 
 
@@ -213,12 +220,12 @@ def test_hidden_numbers_are_drawn_anew_and_change_nothing() -> None:
     readings = [parse_scene(description.text, np.random.default_rng(seed)) for seed in (1, 2, 1)]
     assert readings[0].scene == readings[2].scene == parse_scene(description.text, np.random.default_rng(1)).scene
     assert readings[0].scene != readings[1].scene
-    assert meant(readings[0]) == meant(readings[1])
+    assert text_signature(readings[0]) == text_signature(readings[1])
 
 
 def test_line_breaks_and_spaces_do_not_matter() -> None:
     description = next(drawn("pulley", "medium", 1))
-    assert meant(parse_scene(description.text.replace(" ", "\n  "))) == meaning(description)
+    assert text_signature(parse_scene(description.text.replace(" ", "\n  "))) == meaning(description)
 
 
 @pytest.mark.parametrize("kind", [*ENTITIES.values()], ids=[*ENTITIES])
@@ -333,11 +340,11 @@ def test_a_prompt_is_sent_to_what_reads_prompts() -> None:
 
 def test_errors_name_the_place() -> None:
     description = next(drawn("pulley", "easy", 1))
-    parts = list(pieces(description.text))
+    parts = list(split_pieces(description.text))
     with pytest.raises(TextError, match=r"sentence 2: 'Fish swim\.' is not understood; say"):
-        parse_scene(together([parts[0], "Fish swim.", *parts[1:]]))
+        parse_scene(join_sentences([parts[0], "Fish swim.", *parts[1:]]))
     with pytest.raises(TextError, match="nothing is said of 'g'"):
-        parse_scene(together([part for part in parts if " g = " not in part]))
+        parse_scene(join_sentences([part for part in parts if " g = " not in part]))
     with pytest.raises(TextError, match="is not finite"):
         parse_scene(re.sub(r"\d+(\.\d+)? kg", "1e999 kg", description.text, count=1))
 
@@ -345,7 +352,7 @@ def test_errors_name_the_place() -> None:
 def test_a_text_of_two_scenes_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """The library's texts never describe two scenes, as equal readings are merged; here no readings are equal."""
     description = next(t for t in drawn("incline", "hard", 60) if len(readings(t.text, monkeypatch)) > 1)
-    assert meant(parse_scene(description.text)) == meaning(description)
+    assert text_signature(parse_scene(description.text)) == meaning(description)
     monkeypatch.setattr("sim2reason.text.parsing.scene_parser.signature", lambda scene, names: (id(scene), id(names)))
     with pytest.raises(TextError, match="it tells two scenes"):
         parse_scene(description.text)

@@ -18,8 +18,8 @@ from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.string_ends import Hanging
 from sim2reason.text.prose import describe
 from sim2reason.text.prose.closings import closings
-from sim2reason.text.prose.phrases import another, join, letter_at
-from sim2reason.text.prose.voices import hiding, symbolic, voice_of
+from sim2reason.text.prose.phrases import introduce_another, join, letter_at
+from sim2reason.text.prose.voices import symbolic, symbolic_at, voice_of
 
 SLIDE = Scene(
     entities=(
@@ -57,7 +57,7 @@ def test_the_voices_say_the_same_sentences() -> None:
 
 
 def test_one_value_can_be_hidden() -> None:
-    text = describe(SLIDE, 0, hiding("ramp.blocks.0.mass")).text
+    text = describe(SLIDE, 0, symbolic_at("ramp.blocks.0.mass")).text
     assert "$m$" in text
     assert "2.0 kg" not in text
     assert "0.25" in text
@@ -134,5 +134,5 @@ def test_a_text_knows_the_topics_that_it_speaks_of(recipe: str) -> None:
 def test_small_words() -> None:
     assert join(["A"]) == "A"
     assert join(["A", "B", "C"]) == "A, B and C"
-    assert another("a smooth plane") == "another smooth plane"
+    assert introduce_another("a smooth plane") == "another smooth plane"
     assert [letter_at("PQ", index) for index in range(4)] == ["P", "Q", "P2", "Q2"]

@@ -5,14 +5,14 @@ from collections import Counter
 import pytest
 
 from sim2reason.errors import TrainingError
-from sim2reason.training.corpora import corpus_from
+from sim2reason.training.corpora import build_corpus
 from sim2reason.training.corpora.arithmetic import Arithmetic, Drills
 
 PROBLEMS = {"name": "p", "recipe": "rolling", "difficulty": "easy", "kinds": ["state"], "seed": 11}
 
 
 def corpus(**settings: object) -> Arithmetic:
-    found = corpus_from({"kind": "arithmetic", "problems": PROBLEMS, **settings})
+    found = build_corpus({"kind": "arithmetic", "problems": PROBLEMS, **settings})
     assert isinstance(found, Arithmetic)
     return found
 

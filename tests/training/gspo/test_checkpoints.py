@@ -9,10 +9,10 @@ from sim2reason.training.run_files import (
     Cursor,
     StepLog,
     StepRecord,
-    clear_behind,
     last_checkpoint,
     mark,
     read_cursor,
+    remove_later,
     unmark,
 )
 
@@ -64,10 +64,10 @@ def test_half_written_checkpoints_are_removed_and_whole_ones_never(tmp_path: Pat
     first, half = saved(tmp_path, 2), tmp_path / "checkpoint-4"
     half.mkdir()
     (tmp_path / "checkpoint-best").mkdir()
-    clear_behind(tmp_path, read_cursor(first))
+    remove_later(tmp_path, read_cursor(first))
     assert first.is_dir()
     assert not half.exists()
     assert (tmp_path / "checkpoint-best").is_dir()
     with pytest.raises(TrainingError, match="holds a run up to checkpoint-2"):
-        clear_behind(tmp_path, None)
+        remove_later(tmp_path, None)
     assert last_checkpoint(tmp_path) == first

@@ -5,7 +5,15 @@ from math import nan
 
 import pytest
 
-from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill, has_spread, round_size
+from sim2reason.training.gspo.sampling import (
+    FilledStep,
+    ProcessRank,
+    RoundRewards,
+    balance,
+    fill,
+    has_spread,
+    round_size,
+)
 from sim2reason.training.gspo.settings import Drawn, Row
 
 GOOD, BAD = [0.0, 1.0], [1.0, 1.0]
@@ -30,24 +38,24 @@ class Scripted:
     def observe(self, row: Row, rewards: Sequence[float]) -> None:
         self.observed.append((row["prompt"], list(rewards)))
 
-    def answer(self, rows: Sequence[Row]) -> Answered:
+    def answer(self, rows: Sequence[Row]) -> RoundRewards:
         each = len(rows)
         even = [self.rows[place % len(self.rows)] for place in range(each * self.world)]
         rewards = [GOOD if int(row["prompt"]) in self.good else BAD for row in even]
-        return Answered(rewards, lambda number: {"prompt": rows[number]["prompt"]})
+        return RoundRewards(rewards, lambda number: {"prompt": rows[number]["prompt"]})
 
 
-def filled(sampler: Scripted, wanted: int, rounds: int = 10) -> list[Filled]:
+def filled(sampler: Scripted, wanted: int, rounds: int = 10) -> list[FilledStep]:
     """Return the groups that each process finds, each with its own copy of the stream."""
-    found: list[Filled] = []
+    found: list[FilledStep] = []
     for rank in range(sampler.world):
         own = Scripted(sampler.good, sampler.world, sampler.length)
-        found.append(fill(own, Place(rank, sampler.world), wanted, rounds))
+        found.append(fill(own, ProcessRank(rank, sampler.world), wanted, rounds))
         sampler.asked = own.asked
     return found
 
 
-def prompts(found: Sequence[Filled]) -> list[int]:
+def prompts(found: Sequence[FilledStep]) -> list[int]:
     """Return the prompts of the groups of all processes, in order."""
     together = {number: int(group["prompt"]) for each in found for number, group in each.own.items()}
     assert len(together) == sum(len(each.own) for each in found)
@@ -82,15 +90,15 @@ def test_a_round_is_as_large_as_the_share_of_good_groups_makes_likely() -> None:
 def test_a_round_is_never_larger_than_a_step_and_a_multiple_of_the_processes(
     owners: int, good: int, sizes: list[int], expected: int
 ) -> None:
-    assert round_size(8, Filled(owners=[0] * owners, good=good, sizes=sizes), 4) == expected
+    assert round_size(8, FilledStep(owners=[0] * owners, good=good, sizes=sizes), 4) == expected
 
 
 def test_a_larger_first_round_makes_others_rarer() -> None:
     sampler = Scripted({0, 2, 4, 5, 7, 8}, world=2)
-    found: list[Filled] = []
+    found: list[FilledStep] = []
     for rank in range(2):
         own = Scripted(sampler.good, 2)
-        found.append(fill(own, Place(rank, 2), 4, 10, first=7))
+        found.append(fill(own, ProcessRank(rank, 2), 4, 10, first=7))
         assert own.asked == [8]
     assert prompts(found) == [0, 2, 4, 5]
 
@@ -122,11 +130,11 @@ def test_equal_rewards_have_no_spread_however_they_round() -> None:
 
 def test_rewards_of_nobody_count_nowhere() -> None:
     class Unscored(Scripted):
-        def answer(self, rows: Sequence[Row]) -> Answered:
-            return Answered([[nan, nan], [nan, 1.0], [0.0, 1.0]], super().answer(rows).cut)
+        def answer(self, rows: Sequence[Row]) -> RoundRewards:
+            return RoundRewards([[nan, nan], [nan, 1.0], [0.0, 1.0]], super().answer(rows).cut)
 
     sampler = Unscored(set())
-    found = fill(sampler, Place(), 3, rounds=1)
+    found = fill(sampler, ProcessRank(), 3, rounds=1)
     assert sampler.observed == [("0", []), ("1", [1.0]), ("2", [0.0, 1.0])]
     assert found.owners == [0]
     assert found.rewards == [1.0, 0.0, 1.0]

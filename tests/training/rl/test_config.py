@@ -10,9 +10,9 @@ import yaml
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.models.language_models import Pretrained
 from sim2reason.training.rewards.answers import Random
-from sim2reason.training.rl.config import reinforcement_learning_from
-from sim2reason.training.sft.config import fine_tuning_from
-from sim2reason.training.study.config import study_from
+from sim2reason.training.rl.config import build_reinforcement_learning
+from sim2reason.training.sft.config import build_fine_tuning
+from sim2reason.training.study.config import build_study
 
 ROOT = Path(__file__).parents[3]
 FRESH = {"kind": "fresh", "name": "ours", "seed": 1}
@@ -29,28 +29,28 @@ def settings(**changed: object) -> dict[str, Any]:
 
 
 def test_the_least_configuration_has_the_paper_s_numbers() -> None:
-    found = reinforcement_learning_from(settings())
+    found = build_reinforcement_learning(settings())
     assert isinstance(found.model, Pretrained)
     gspo = found.gspo
     assert (gspo.steps, gspo.prompts, gspo.generations, gspo.learning_rate, gspo.rounds) == (200, 32, 16, 1e-6, 10)
 
 
 def test_a_completion_leaves_room_for_the_prompt() -> None:
-    gspo = reinforcement_learning_from(settings()).gspo
+    gspo = build_reinforcement_learning(settings()).gspo
     gspo.check_context(32_768)
     with pytest.raises(TrainingError, match=r"gspo\.max_completion_tokens: 16384 .* context of 4096 tokens"):
         gspo.check_context(4096)
 
 
 def test_a_control_is_one_key() -> None:
-    found = reinforcement_learning_from(settings(reward={"kind": "random", "seed": 3}))
+    found = build_reinforcement_learning(settings(reward={"kind": "random", "seed": 3}))
     assert isinstance(found.reward, Random)
-    unfiltered = reinforcement_learning_from(settings(problems=[{**FRESH, "unfiltered": True}]))
+    unfiltered = build_reinforcement_learning(settings(problems=[{**FRESH, "unfiltered": True}]))
     assert found.decisive != unfiltered.decisive
 
 
 def test_where_a_run_lies_decides_nothing() -> None:
-    one, other = reinforcement_learning_from(settings()), reinforcement_learning_from(settings(), Path("elsewhere"))
+    one, other = build_reinforcement_learning(settings()), build_reinforcement_learning(settings(), Path("elsewhere"))
     assert other.out == Path("elsewhere")
     assert one.decisive == other.decisive
 
@@ -86,14 +86,14 @@ def test_where_a_run_lies_decides_nothing() -> None:
 )
 def test_faults_name_their_place(changed: dict[str, object], message: str) -> None:
     with pytest.raises(Sim2ReasonError, match=message):
-        reinforcement_learning_from(settings(**changed))
+        build_reinforcement_learning(settings(**changed))
 
 
 def test_a_file_that_is_missing() -> None:
     with pytest.raises(FileNotFoundError, match=r"nowhere\.yaml"):
-        reinforcement_learning_from("nowhere.yaml")
+        build_reinforcement_learning("nowhere.yaml")
     with pytest.raises(TrainingError):
-        reinforcement_learning_from(settings(model="m"))
+        build_reinforcement_learning(settings(model="m"))
 
 
 def test_the_configurations_of_the_page_can_be_read(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -101,7 +101,7 @@ def test_the_configurations_of_the_page_can_be_read(monkeypatch: pytest.MonkeyPa
     first, study, second = (
         yaml.safe_load(block) for block in re.findall(r"^```yaml\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
     )
-    assert reinforcement_learning_from(first).curriculum is not None
-    assert len(fine_tuning_from(second).corpora) == 3
+    assert build_reinforcement_learning(first).curriculum is not None
+    assert len(build_fine_tuning(second).corpora) == 3
     monkeypatch.chdir(ROOT)
-    assert len(study_from(study).runs) == 7
+    assert len(build_study(study).runs) == 7

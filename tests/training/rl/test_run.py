@@ -18,7 +18,7 @@ from sim2reason.evaluation.policies.local_model import LocalModel
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl import report
-from sim2reason.training.rl.config import reinforcement_learning_from
+from sim2reason.training.rl.config import build_reinforcement_learning
 from sim2reason.training.rl.report import report_training
 from sim2reason.training.rl.run import prepare_rl, train_rl
 from sim2reason.training.sources.problems import Fresh
@@ -47,7 +47,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_run_leaves_a_model_a_log_and_a_report(whole: Path) -> None:
-    found = report_training(reinforcement_learning_from(settings(whole)))
+    found = report_training(build_reinforcement_learning(settings(whole)))
     assert [line["step"] for line in log(whole)] == [1, 2, 3]
     assert (whole / "model" / "model.safetensors").is_file()
     page = (whole / "report" / "report.md").read_text()
@@ -147,7 +147,7 @@ def test_controls_are_one_key_each(changed: dict[str, object], whole: Path, tmp_
     given = settings(tmp_path / "run", model=model, gspo=gspo, **changed)
     del given["warm_start"], given["held_out"]
     assert train_rl(given).steps == 1
-    found = report_training(reinforcement_learning_from(given))
+    found = report_training(build_reinforcement_learning(given))
     assert (found.folder / "steps.png").is_file()
     assert found.differences == {}
     assert (found.problems > 0.0) == bool(given["prefetch"]["workers"])
@@ -170,11 +170,11 @@ def test_settings_of_a_model_reach_the_trainer_and_the_evaluation(
     with pytest.raises(TrainingError, match="far enough"):
         train_rl(given)
     assert told == [Checkpoint(path, "v1", "bfloat16", "eager")]
-    policy = report._policy(reinforcement_learning_from(given), "before", path, "v1", 0.0)
+    policy = report._policy(build_reinforcement_learning(given), "before", path, "v1", 0.0)
     assert isinstance(policy, LocalModel)
     assert (policy.revision, policy.chat, policy.batch_size, policy.precision) == ("v1", False, 64, "auto")
     quick = {**given, "gspo": {**given["gspo"], "precision": "bfloat16"}, "answers_together": 512}
-    policy = report._policy(reinforcement_learning_from(quick), "before", path, "v1", 0.0)
+    policy = report._policy(build_reinforcement_learning(quick), "before", path, "v1", 0.0)
     assert isinstance(policy, LocalModel)
     assert (policy.batch_size, policy.precision) == (512, "bfloat16")
 

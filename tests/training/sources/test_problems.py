@@ -8,7 +8,7 @@ import pytest
 from sim2reason.datasets.generate import generate
 from sim2reason.datasets.items import item
 from sim2reason.errors import MissingExtraError, TrainingError, UnknownNameError
-from sim2reason.training.sources import SOURCES, source_from
+from sim2reason.training.sources import SOURCES, build_source
 from sim2reason.training.sources.problems import Fresh, fingerprint
 
 
@@ -66,7 +66,7 @@ def test_a_folder_is_passed_through_again_in_another_order(tmp_path: Path) -> No
         "name": "made",
         "benchmark": {"kind": "synthetic", "dataset": tmp_path / "problems"},
     }
-    source = source_from(settings, "problems[0]")
+    source = build_source(settings, "problems[0]")
     (cell,) = source.cells
     passes = [[found.item.id for n in range(6) if (found := source.at(cell, 6 * turn + n))] for turn in range(3)]
     assert all(sorted(each) == sorted(passes[0]) for each in passes)
@@ -77,7 +77,7 @@ def test_another_corpus_keeps_its_own_rule(tmp_path: Path) -> None:
     file = tmp_path / "questions.jsonl"
     file.write_text(json.dumps({"question": "2 + 2?", "answer": "4"}) + "\n")
     settings = {"kind": "benchmark", "name": "sums", "benchmark": {"kind": "jsonl", "file": file, "scoring": "numeric"}}
-    found = source_from(settings, "problems[0]").at("sums", 7)
+    found = build_source(settings, "problems[0]").at("sums", 7)
     assert found is not None
     assert found.item.scoring == "numeric"
 
@@ -90,7 +90,7 @@ def test_a_corpus_whose_rule_lacks_its_library_is_refused_as_it_is_read(
     file.write_text(json.dumps({"question": "2 + 2?", "answer": "4"}) + "\n")
     settings = {"kind": "benchmark", "name": "sums", "benchmark": {"kind": "jsonl", "file": file, "scoring": "math"}}
     with pytest.raises(MissingExtraError):
-        _ = source_from(settings, "problems[0]").cells
+        _ = build_source(settings, "problems[0]").cells
 
 
 @pytest.mark.parametrize(
@@ -107,10 +107,10 @@ def test_a_corpus_whose_rule_lacks_its_library_is_refused_as_it_is_read(
 )
 def test_faults_name_their_place(settings: dict[str, object], message: str) -> None:
     with pytest.raises(TrainingError, match=message):
-        source_from(settings, "problems[0]")
+        build_source(settings, "problems[0]")
 
 
 def test_an_unknown_kind_of_source() -> None:
     with pytest.raises(UnknownNameError, match="fresch"):
-        source_from({"kind": "fresch"}, "problems[0]")
+        build_source({"kind": "fresch"}, "problems[0]")
     assert {"fresh", "benchmark"} <= {*SOURCES}

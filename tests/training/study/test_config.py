@@ -8,7 +8,7 @@ import yaml
 
 from short_run import settings
 from sim2reason.errors import Sim2ReasonError
-from sim2reason.training.study.config import Arm, TrainingStudy, study_from
+from sim2reason.training.study.config import Arm, TrainingStudy, build_study
 
 ROOT = Path(__file__).parents[3]
 STUDIES = sorted((ROOT / "experiments").rglob("*study*.yaml"))
@@ -20,7 +20,7 @@ def base() -> dict[str, Any]:
 
 def study(**changed: object) -> TrainingStudy:
     arms = {"ours": {}, "other": {"reward": "format", "gspo": {"steps": 2}}}
-    return study_from({"out": "study", "base": base(), "arms": arms, "seeds": [0, 7], **changed})
+    return build_study({"out": "study", "base": base(), "arms": arms, "seeds": [0, 7], **changed})
 
 
 def test_an_arm_changes_what_it_names_and_nothing_else() -> None:
@@ -83,5 +83,5 @@ def test_faults_name_their_place(changed: dict[str, object], message: str) -> No
 @pytest.mark.parametrize("file", STUDIES, ids=lambda path: path.stem)
 def test_each_study_can_be_read(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    found = study_from(yaml.safe_load(file.read_text("utf-8")))
+    found = build_study(yaml.safe_load(file.read_text("utf-8")))
     assert len(found.configs) == sum(len(found.seeds_of(name)) for name in found.arms)

@@ -10,7 +10,7 @@ import pytest
 from short_run import settings
 from sim2reason.errors import TrainingError
 from sim2reason.evaluation.benchmarks.runs.config import RunFolder
-from sim2reason.training.study.config import study_from
+from sim2reason.training.study.config import build_study
 from sim2reason.training.study.report import report_study
 from sim2reason.training.study.run import prepare_study, train_study
 
@@ -69,7 +69,7 @@ def test_seeds_draw_other_prompts_and_arms_the_same(whole: Path) -> None:
 
 
 def test_all_runs_stand_on_one_page(whole: Path) -> None:
-    found = report_study(study_from(study(whole)))
+    found = report_study(build_study(study(whole)))
     page = (whole / "report" / "report.md").read_text()
     assert len(found.runs) == 8
     assert [(each.responses, each.arm) for each in found.arms] == [

@@ -14,7 +14,7 @@ Column = type[str] | type[int] | type[float] | list["Column"] | dict[str, "Colum
 """What a column of a Parquet file holds: a plain type, a list of one, or a record of several."""
 
 
-class Place(NamedTuple):
+class RowPosition(NamedTuple):
     """The place of a row in an export: its split, and the number of rows before it in that split's file."""
 
     split: str
@@ -46,7 +46,7 @@ class Export(ABC):
     files: ClassVar[Path | None] = None
 
     @abstractmethod
-    def row(self, item: Item, place: Place) -> Row | None:
+    def row(self, item: Item, place: RowPosition) -> Row | None:
         """Return the row of an item; None to omit it."""
 
     def license(self, name: str) -> str:

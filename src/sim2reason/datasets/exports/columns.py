@@ -4,7 +4,7 @@ import json
 from typing import TypedDict
 
 from sim2reason.generation.item import Answer, Item, Record
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 
 FACTS = "mode", "kind", "recipe", "difficulty"
 
@@ -16,7 +16,7 @@ class Message(TypedDict):
     content: str
 
 
-def asked(prompt: str) -> list[Message]:
+def conversation(prompt: str) -> list[Message]:
     """Return a conversation with the problem as its first message, which includes the answer format."""
     return [{"role": "user", "content": prompt}]
 
@@ -26,11 +26,11 @@ def facts(item: Item) -> dict[str, str]:
     return {name: getattr(item, name) for name in FACTS}
 
 
-def worked(item: Item) -> str | None:
+def full_solution(item: Item) -> str | None:
     """Return an item's worked solution, or the labelled solutions of all its parts; None if any is missing."""
     if not item.parts:
         return item.solution.text if item.solution is not None else None
-    pairs = zip(LABELS, item.parts, strict=False)
+    pairs = zip(PART_LABELS, item.parts, strict=False)
     texts = [f"({label}) {part.solution.text}" for label, part in pairs if part.solution is not None]
     return "\n\n".join(texts) if len(texts) == len(item.parts) else None
 
@@ -64,7 +64,7 @@ def _written(answer: Answer) -> str:
     if answer.letter:
         return answer.letter
     if answer.parts:
-        return "; ".join(f"({label}) {_written(part)}" for label, part in zip(LABELS, answer.parts, strict=False))
+        return "; ".join(f"({label}) {_written(part)}" for label, part in zip(PART_LABELS, answer.parts, strict=False))
     return answer.formula.latex if answer.formula is not None else f"{answer.value:.6g}"
 
 

@@ -13,14 +13,14 @@ from typing import Any, Literal, get_args
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from sim2reason.base.atomic_files import locked, put, put_text, sync
+from sim2reason.base.atomic_files import lock_folder, put_text, sync, write_atomically
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.exports import EXPORTS, Column, Export, Place, Row
-from sim2reason.datasets.plan import ALL, Names
+from sim2reason.datasets.exports import EXPORTS, Column, Export, Row, RowPosition
+from sim2reason.datasets.plan import ALL_NAMES, Names
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, Item, QuestionPart
-from sim2reason.grading.parts import LABELS
-from sim2reason.questions.prompt_formats import MINUS, PartPrompt, said
+from sim2reason.grading.parts import PART_LABELS
+from sim2reason.questions.prompt_formats import MINUS, PartPrompt, format_numbers
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.solutions.algebra.expressions import DIGITS
 
@@ -41,7 +41,7 @@ def _single(item: Item, number: int, prompt: str) -> Item:
     part: QuestionPart = item.parts[number]
     return item.model_copy(
         update={
-            "id": f"{item.id}-{LABELS[number]}",
+            "id": f"{item.id}-{PART_LABELS[number]}",
             "prompt": prompt,
             "answer": item.answer.parts[number],
             "kind": part.kind,
@@ -57,7 +57,7 @@ def _single(item: Item, number: int, prompt: str) -> Item:
 
 def _told(answer: Answer) -> str:
     """Return a number with its unit, to the digits that solutions of later parts use."""
-    return join_unit(said([answer.value], DIGITS)[0].replace("-", MINUS), answer.unit)
+    return join_unit(format_numbers([answer.value], DIGITS)[0].replace("-", MINUS), answer.unit)
 
 
 NAME = "sim2reason"
@@ -150,7 +150,7 @@ def export(
     out: Path | str,
     *,
     to: str,
-    split: Names = ALL,
+    split: Names = ALL_NAMES,
     parts: Parts = "together",
     advance: Callable[[int], object] = lambda _: None,
 ) -> Exported:
@@ -215,7 +215,7 @@ class _Writing:
             count = write(temporary, self._rows(name), self.export.columns)
 
         path.parent.mkdir(parents=True, exist_ok=True)
-        put(path, fill, self.place)
+        write_atomically(path, fill, self.place)
         if not count:
             path.unlink()
         return count
@@ -224,7 +224,7 @@ class _Writing:
         count = 0
         for item in self.dataset.items(split):
             for each in split_parts(item) if self.separate else (item,):
-                row = self.export.row(each, Place(split, count))
+                row = self.export.row(each, RowPosition(split, count))
                 if row is None:
                     self.left_out += 1
                 else:
@@ -264,7 +264,7 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
     target = folder.resolve()  # once: a relative name may lead elsewhere when folders have moved
     staging = target.with_name(f".{target.name}.export")
     staging.mkdir(exist_ok=True)
-    with locked(staging):
+    with lock_folder(staging):
         if staging.is_symlink() or (any(staging.iterdir()) and not (staging / MARK).is_file()):
             raise DatasetError(
                 f"{staging}: is there, and no export was begun in it; move it away or give another folder"

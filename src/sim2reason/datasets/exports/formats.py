@@ -3,10 +3,18 @@
 from collections.abc import Mapping
 from typing import ClassVar
 
-from sim2reason.datasets.exports import Column, Export, Place, Row, target
-from sim2reason.datasets.exports.columns import Letter, answered, asked, boxed, facts, ground_truth, worked
+from sim2reason.datasets.exports import Column, Export, Row, RowPosition, target
+from sim2reason.datasets.exports.columns import (
+    Letter,
+    answered,
+    boxed,
+    conversation,
+    facts,
+    full_solution,
+    ground_truth,
+)
 from sim2reason.generation.item import Item
-from sim2reason.generation.options import LACKS, options_of, values
+from sim2reason.generation.options import LACKS, item_options, values
 from sim2reason.questions.prompt import without_form
 from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt
 
@@ -18,7 +26,7 @@ class InspectTask(Export):
     name = "inspect"
     also = ("inspect-ai", "inspect_evals")
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the sample of an item; its target is for readers, the scorer uses the ground truth."""
         del place
         metadata = {"ground_truth": ground_truth(item), **facts(item)}
@@ -32,7 +40,7 @@ class HarnessTask(Export):
     name = "lm-eval"
     also = ("lm_eval", "harness", "lm-evaluation-harness")
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the document of an item; few-shot examples show the target, and the grader reads `ground_truth`."""
         del place
         shown = boxed(answered(item))
@@ -53,17 +61,17 @@ class MultipleChoice(Export):
     also = ("choice", "mcq")
     lacks = LACKS
 
-    def row(self, item: Item, place: Place) -> Row | None:
+    def row(self, item: Item, place: RowPosition) -> Row | None:
         """Return the question, its options in an order that depends only on the item's id, and the correct one."""
         del place
-        chosen = options_of(item)
+        chosen = item_options(item)
         if chosen is None:
             return None
         prompt = _prompt(item, values(item.answer, chosen))
         letters, label = LETTERS[: len(chosen)], chosen.index(None)
         return {
             "id": item.id,
-            "prompt": asked(prompt.text),
+            "prompt": conversation(prompt.text),
             "question": prompt.question,
             "choices": list(prompt.options),
             "answer": letters[label],
@@ -101,11 +109,11 @@ class HuggingFace(Export):
         "difficulty": str,
     }
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the row of an item: the prompt, columns for rewards, a readable solution, and facts to group by."""
         del place
-        columns = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": worked(item)}
-        return {"prompt": asked(item.prompt), **columns, "id": item.id, **facts(item)}
+        columns = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": full_solution(item)}
+        return {"prompt": conversation(item.prompt), **columns, "id": item.id, **facts(item)}
 
 
 @target
@@ -130,11 +138,11 @@ class Verl(Export):
         },
     }
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the row of an item; verl averages validation scores by `data_source`."""
         return {
             "data_source": "sim2reason",
-            "prompt": asked(item.prompt),
+            "prompt": conversation(item.prompt),
             "ability": "physics",
             "reward_model": {"style": "rule", "ground_truth": ground_truth(item)},
             "extra_info": {"split": place.split, "index": place.number, "id": item.id, **facts(item)},
@@ -149,7 +157,7 @@ class VerifiersTaskset(Export):
     also = ("prime-rl", "prime")
     data = "sim2reason_problems/data/{split}.jsonl"
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the task data of an item."""
         del place
         columns = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
@@ -178,11 +186,11 @@ class NemoGym(Export):
         """Return NeMo Gym's name for a licence; ``TBD`` for a licence that NeMo Gym's configuration cannot name."""
         return LICENSES.get(name, "TBD")
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return the input of the model, with the data that the server needs to verify a response."""
         del place
         return {
-            "responses_create_params": {"input": asked(item.prompt)},
+            "responses_create_params": {"input": conversation(item.prompt)},
             "id": item.id,
             "ground_truth": ground_truth(item),
             **facts(item),
@@ -196,7 +204,7 @@ class ReasoningGym(Export):
     name = "reasoning-gym"
     also = ("reasoning_gym",)
 
-    def row(self, item: Item, place: Place) -> Row:
+    def row(self, item: Item, place: RowPosition) -> Row:
         """Return a question with a correct answer and the data for grading."""
         del place
         metadata = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from sim2reason.base.registry import Registry
 from sim2reason.datasets.worker import Attempt, Batch
 
-__all__ = ["HERE", "PATIENCE", "PLACES", "Place", "Reply", "Run", "Source", "WorkerPool", "opened"]
+__all__ = ["DEFAULT_TIMEOUT", "HERE", "PLACES", "Place", "Reply", "Run", "Source", "WorkerPool", "opened"]
 
 HERE = "here"
 """The place where work is done unless another is named."""
-PATIENCE = 120.0
+DEFAULT_TIMEOUT = 120.0
 """Seconds after which a batch counts as hung: a safety net, far above what any item needs."""
 
 
@@ -25,7 +25,7 @@ class WorkerPool:
     maker: str
     workers: int | None = None
     """How many processes; None: one for each core of the place."""
-    patience: float = PATIENCE
+    patience: float = DEFAULT_TIMEOUT
     address: str = ""
     """What stands behind ``://`` in the name of the place."""
 

@@ -16,7 +16,7 @@ from multiprocessing.process import BaseProcess
 
 from sim2reason.base.registry import further_members
 from sim2reason.datasets.places import HERE, PLACES, Reply, Run, Source, WorkerPool
-from sim2reason.datasets.processes import ALONE, deaf_children
+from sim2reason.datasets.processes import SPAWN_CONTEXT, children_ignoring_signals
 from sim2reason.datasets.worker import Batch, Message, outcome, serve
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import load_maker
@@ -37,8 +37,8 @@ class _Worker:
     @classmethod
     def start(cls, maker: str, patience: float) -> "_Worker":
         ours, theirs = Pipe()
-        process = ALONE.Process(target=serve, args=(theirs, maker, tuple(further_members())), daemon=True)
-        with deaf_children():
+        process = SPAWN_CONTEXT.Process(target=serve, args=(theirs, maker, tuple(further_members())), daemon=True)
+        with children_ignoring_signals():
             process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
         return cls(process, ours, patience, time.monotonic() + max(patience, STARTING))
@@ -87,7 +87,7 @@ def here(crew: WorkerPool) -> Generator[Run, None, None]:
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
     if _workers(crew) == 1:
-        yield partial(alone, maker=crew.maker)
+        yield partial(run_alone, maker=crew.maker)
     else:
         yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
 
@@ -103,7 +103,7 @@ def _workers(crew: WorkerPool) -> int | None:
     return 1 if own else crew.workers
 
 
-def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
+def run_alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
     """Yield each batch from `source` with its result, computed in this process without protection from crashes.
 
     DatasetError if the maker cannot be imported.

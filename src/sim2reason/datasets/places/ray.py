@@ -14,7 +14,7 @@ from typing import Any, Final
 
 from sim2reason.base.optional import optional
 from sim2reason.datasets.places import PLACES, Reply, Run, Source, WorkerPool
-from sim2reason.datasets.worker import Attempt, Batch, collect_seldom, outcome
+from sim2reason.datasets.worker import Attempt, Batch, outcome, tune_garbage_collection
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import Maker, load_maker, versions
 
@@ -89,7 +89,7 @@ def attempts(batch: Batch, maker: str, patience: float, expected: dict[str, str]
 @cache
 def _prepared(maker: str) -> Maker:
     make = load_maker(maker)
-    collect_seldom()
+    tune_garbage_collection()
     return make
 
 

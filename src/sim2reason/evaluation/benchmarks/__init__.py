@@ -17,7 +17,7 @@ from sim2reason.base.settings import build_member
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.policies import Name
 
-__all__ = ["BENCHMARKS", "Benchmark", "BenchmarkItem", "benchmark_from", "data_hash", "items_of"]
+__all__ = ["BENCHMARKS", "Benchmark", "BenchmarkItem", "build_benchmark", "data_hash", "load_items"]
 
 MOST_SAMPLES = 4096
 
@@ -76,7 +76,7 @@ class Benchmark(BaseModel, ABC):
 BENCHMARKS: Registry[type[Benchmark]] = Registry("benchmarks", package="sim2reason.evaluation.benchmarks")
 
 
-def benchmark_from(settings: Mapping[str, object], location: str = "benchmark") -> Benchmark:
+def build_benchmark(settings: Mapping[str, object], location: str = "benchmark") -> Benchmark:
     """Return the benchmark described by settings; `kind` is its registered name.
 
     Raises:
@@ -86,7 +86,7 @@ def benchmark_from(settings: Mapping[str, object], location: str = "benchmark") 
     return build_member(BENCHMARKS, settings, location, EvaluationError)
 
 
-def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
+def load_items(benchmark: Benchmark) -> list[BenchmarkItem]:
     """Return the problems of a benchmark, after checking their number and the uniqueness of their ids.
 
     Raises:

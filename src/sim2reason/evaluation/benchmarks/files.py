@@ -234,10 +234,10 @@ class QuestionFile(FileBenchmark):
 
     def problem(self, row: Row, number: int) -> BenchmarkItem:
         """Return the problem of a row, with the reference that the scoring rule needs."""
-        question = _at(row, self.question_column)
+        question = _column_value(row, self.question_column)
         if not isinstance(question, str) or not question.strip():
             raise ValueError(f"its {self.question_column} is no text")
-        name = _at(row, self.id_column, optional=True)
+        name = _column_value(row, self.id_column, optional=True)
         return BenchmarkItem(
             id=f"{self.name}-{number}" if name is None else str(name),
             prompt=f"{question.strip()}\n\n{self.instruction}".strip(),
@@ -248,7 +248,7 @@ class QuestionFile(FileBenchmark):
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
         """Return the correct answer of a row as the scoring rule needs it; ValueError if it is invalid."""
-        answer: Any = _at(row, self.answer_column)
+        answer: Any = _column_value(row, self.answer_column)
         several = [str(part) for part in cast("list[object]", answer)] if isinstance(answer, list) else [str(answer)]
         if not all(part.strip() for part in several):
             raise ValueError(f"its {self.answer_column} is empty")
@@ -270,7 +270,7 @@ class QuestionFile(FileBenchmark):
         return {"value": value, "unit": known, "tolerance": self.tolerance}
 
 
-def _at(row: Row, path: str, *, optional: bool = False) -> object:
+def _column_value(row: Row, path: str, *, optional: bool = False) -> object:
     """Return the value of a column, or of a dotted path inside it; KeyError if there is none."""
     if path in row:
         return row[path]

@@ -11,7 +11,7 @@ from pydantic import JsonValue, ValidationError, model_validator
 from sim2reason.base.settings import first_fault
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.items import stream
-from sim2reason.datasets.plan import Chosen, modes_named
+from sim2reason.datasets.plan import Chosen, find_modes
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
 from sim2reason.evaluation.benchmarks.files import QuestionFile, rows
@@ -98,5 +98,5 @@ class Synthetic(Chosen, Benchmark):
             yield from Dataset(self.dataset).items(self.split)
             return
         assert self.seed is not None
-        for mode in modes_named(self.modes):
+        for mode in find_modes(self.modes):
             yield from islice(stream(self.recipe, self.difficulty, mode, seed=self.seed), self.items)

@@ -4,7 +4,7 @@ from pydantic import JsonValue
 
 from sim2reason.evaluation.benchmarks import BENCHMARKS, BenchmarkItem
 from sim2reason.evaluation.benchmarks.files import FileBenchmark, QuestionFile, Row
-from sim2reason.evaluation.benchmarks.scoring.answers import boxes
+from sim2reason.evaluation.benchmarks.scoring.answers import find_boxes
 from sim2reason.evaluation.benchmarks.scoring.exams import INTEGER, NUMERIC, ONE, SEVERAL, TYPES, expected_parts
 
 __all__ = ["ConceptsOfPhysics", "HiPhOFile", "JEEBenchFile", "Mathematics", "OlympiadBenchFile", "UniversityPhysics"]
@@ -46,7 +46,7 @@ class HiPhOFile(FileBenchmark):
         kinds = [str(kind) for kind in row["answer_type"]]
         if self.numeric_only and any(kind != NUMBER for kind in kinds):
             return None
-        answers = [(boxes(str(answer)) or [str(answer)])[-1] for answer in row["answer"]]
+        answers = [(find_boxes(str(answer)) or [str(answer)])[-1] for answer in row["answer"]]
         together = zip(answers, row["unit"], row["points"], kinds, strict=True)
         parts: list[dict[str, JsonValue]] = [
             {"answer": a.strip(" $"), "unit": u, "points": float(p), "type": k} for a, u, p, k in together

@@ -14,9 +14,9 @@ from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
 from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import PolicyError
-from sim2reason.grading import opened
+from sim2reason.grading import prepend_opening_mark
 
-__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "policy_from"]
+__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "build_policy"]
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,79}$")]
 """What may be the name of a file, too: letters, digits, dots, dashes and underscores."""
@@ -85,7 +85,7 @@ class Completion(BaseModel):
     def whole(self) -> str:
         """Return the response for a grader: the thinking in its tags, then the text."""
         if not self.thinking:
-            return str(opened(self.text)) if self.thinking_opened else self.text
+            return str(prepend_opening_mark(self.text)) if self.thinking_opened else self.text
         return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
 
 
@@ -148,7 +148,7 @@ class Policy(_Settings, ABC):
 POLICIES: Registry[type[Policy]] = Registry("policies", package="sim2reason.evaluation.policies")
 
 
-def policy_from(settings: Mapping[str, object], location: str = "policy") -> Policy:
+def build_policy(settings: Mapping[str, object], location: str = "policy") -> Policy:
     """Return the policy described by settings; `kind` is its registered name.
 
     Raises:

@@ -41,7 +41,7 @@ class Decoder:
         """Store the model; PolicyError for one whose layers need several attention masks, as with sliding windows."""
         check_recordable(model.config)
         self._model = model
-        self._held: _RecordedPass | None = None
+        self._last_pass: _RecordedPass | None = None
 
     def __call__(
         self, ids: Tensor, mask: Tensor, count: int, choose: Callable[[Tensor], Tensor], ends: Collection[int]
@@ -76,11 +76,11 @@ class Decoder:
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
         """Return a recorded pass for at least `rows` rows and `length` tokens: the last one, or a larger new one."""
-        cached = self._held
+        cached = self._last_pass
         if cached is None or cached.rows < rows or cached.length < length:
             rows, length = (rows, length) if cached is None else (max(rows, cached.rows), max(length, cached.length))
-            self._held = cached = None  # not two caches at once
-            self._held = cached = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
+            self._last_pass = cached = None  # not two caches at once
+            self._last_pass = cached = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
         return cached
 
 

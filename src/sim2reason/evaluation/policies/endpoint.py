@@ -27,8 +27,8 @@ from sim2reason.evaluation.policies.network import (
     Reply,
     Secret,
     delay,
-    from_environment,
     post,
+    read_secret,
 )
 from sim2reason.evaluation.policies.samples import NoAnswerError
 
@@ -75,7 +75,7 @@ def read(reply: Reply | NoReply, hidden: Callable[[str], str]) -> Completion | F
     if payload is None:
         return Fault("status 200 with a page that is no JSON object", "again")
     if payload.get("error"):
-        return Fault(f"status 200 with an error{_said(payload, hidden)}", "again")
+        return Fault(f"status 200 with an error{_error_message(payload, hidden)}", "again")
     choices = payload.get("choices")
     first = cast("list[object]", choices)[0] if isinstance(choices, list) and choices else None
     if not isinstance(first, dict):
@@ -92,9 +92,9 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
     finish: Finish = "refused" if refusal else FINISHES.get(str(choice.get("finish_reason")), "unknown")
     counts = cast("dict[str, object]", usage) if isinstance(usage, dict) else {}
     return Completion(
-        text=hidden(_whole(content or refusal)),
+        text=hidden(_replace_surrogates(content or refusal)),
         finish=finish,
-        thinking=hidden(_whole(_text(fields.get("reasoning_content")) or _text(fields.get("reasoning")))),
+        thinking=hidden(_replace_surrogates(_text(fields.get("reasoning_content")) or _text(fields.get("reasoning")))),
         prompt_tokens=_count(counts.get("prompt_tokens")),
         completion_tokens=_count(counts.get("completion_tokens")),
     )
@@ -103,7 +103,7 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
 def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
     """Return what an endpoint's error status means: a fault, or a completion for a prompt that is too long."""
     payload = _json(reply.body) or {}
-    message = _said(payload, hidden)
+    message = _error_message(payload, hidden)
     if reply.status in BUSY:
         return Fault(f"status {reply.status}{message}", "again", reply.retry_after)
     if reply.status in REFUSES_KEY:
@@ -121,10 +121,10 @@ def _remedy(status: int, message: str) -> str:
     return remedies[0] if remedies else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
 
 
-def _said(payload: Mapping[str, object], hidden: Callable[[str], str]) -> str:
+def _error_message(payload: Mapping[str, object], hidden: Callable[[str], str]) -> str:
     """Return the endpoint's error message after a colon."""
     text = _reason(payload.get("error", payload.get("message", payload.get("detail"))))
-    line = " ".join(hidden(_whole(text)).split())[:SHOWN]
+    line = " ".join(hidden(_replace_surrogates(text)).split())[:SHOWN]
     return f": {line}" if line else ""
 
 
@@ -169,7 +169,7 @@ def _text(content: object) -> str:
     return ""
 
 
-def _whole(text: str) -> str:
+def _replace_surrogates(text: str) -> str:
     """Return the text with unpaired surrogates replaced, because UTF-8 files cannot contain them."""
     return text.encode(errors="replace").decode()
 
@@ -259,7 +259,7 @@ class Endpoint(Policy):
 
     @cached_property
     def _key(self) -> Secret:
-        return from_environment(self.key_from)
+        return read_secret(self.key_from)
 
     def check(self) -> None:
         """Read the key; the endpoint itself may start later."""

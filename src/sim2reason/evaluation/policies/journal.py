@@ -17,7 +17,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.policies import Completion, SampleRequest
 
-__all__ = ["FinishedSample", "SampleJournal", "finished", "prompt_hash"]
+__all__ = ["FinishedSample", "SampleJournal", "prompt_hash", "read_finished"]
 
 BLOCK = 2**16  # bytes read at once in the search for the last line feed
 
@@ -45,7 +45,7 @@ def prompt_hash(prompt: str) -> str:
     return sha256(prompt.encode(errors="replace")).hexdigest()[:16]
 
 
-def finished(path: Path) -> Iterator[FinishedSample]:
+def read_finished(path: Path) -> Iterator[FinishedSample]:
     """Yield the samples of a journal in order of completion; none if the file does not exist.
 
     Raises:
@@ -88,7 +88,7 @@ class SampleJournal:
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             self._cut()
-            self._known = {sample.key: (sample.seed, sample.prompt) for sample in finished(path)}
+            self._known = {sample.key: (sample.seed, sample.prompt) for sample in read_finished(path)}
         except BlockingIOError:
             self._file.close()
             raise EvaluationError(f"{path}: another run is writing here; wait for it") from None

@@ -17,7 +17,7 @@ from sim2reason.base.records import cached_property
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.evaluation.policies.decoding import Decoder
-from sim2reason.evaluation.policies.network import explained, loading, quiet
+from sim2reason.evaluation.policies.network import explain_errors, loading_arguments, silence_library
 
 __all__ = ["Constant", "LocalModel"]
 
@@ -87,10 +87,10 @@ class LocalModel(Policy):
         return self.batch_size
 
     @cached_property
-    def _loaded(self) -> _Loaded:
+    def _load(self) -> _Loaded:
         torch, transformers = optional("torch", "train"), optional("transformers", "train")
         device = self._device(torch)
-        with self._explained(), quiet():
+        with self._explained(), silence_library():
             source = self._source
             tokenizer = transformers.AutoTokenizer.from_pretrained(self.model, padding_side="left", **source)
             model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
@@ -118,15 +118,15 @@ class LocalModel(Policy):
         """Check the libraries, the device and the model's configuration."""
         torch, transformers = optional("torch", "train"), optional("transformers", "train")
         self._device(torch)
-        with self._explained(), quiet():
+        with self._explained(), silence_library():
             transformers.AutoConfig.from_pretrained(self.model, **self._source)
 
     @property
     def _source(self) -> dict[str, Any]:
-        return loading(self.model, self.revision)
+        return loading_arguments(self.model, self.revision)
 
     def _explained(self) -> AbstractContextManager[None]:
-        return explained(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
+        return explain_errors(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
 
     def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
         """Return the device of the model; PolicyError, with the available ones, if it does not exist."""
@@ -142,11 +142,11 @@ class LocalModel(Policy):
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
         """Return completions generated together; each uses its own random generator, so it depends only on its seed."""
-        tokenizer, device = self._loaded.tokenizer, self._loaded.model.device
+        tokenizer, device = self._load.tokenizer, self._load.model.device
         given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
         ids, mask = given["input_ids"].to(device), given["attention_mask"].to(device)
         processors = self._processors([request.seed for request in requests])
-        decoder = self._loaded.decoder
+        decoder = self._load.decoder
         rows = (
             self._generated(ids, mask, processors) if decoder is None else self._decoded(decoder, ids, mask, processors)
         )
@@ -155,7 +155,7 @@ class LocalModel(Policy):
 
     def _generated(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
         """Return the tokens after the prompts from transformers' own loop."""
-        torch, _, model, tokenizer, _ = self._loaded
+        torch, _, model, tokenizer, _ = self._load
         with torch.inference_mode():
             rows = model.generate(
                 input_ids=ids,
@@ -182,7 +182,7 @@ class LocalModel(Policy):
 
     def _spoken(self, prompt: str) -> str:
         """Return the text that the model reads for a prompt."""
-        tokenizer = self._loaded.tokenizer
+        tokenizer = self._load.tokenizer
         if not (self.chat and tokenizer.chat_template):
             return f"{self.system}\n\n{prompt}" if self.system else prompt
         system = [{"role": "system", "content": self.system}] if self.system else []
@@ -198,7 +198,7 @@ class LocalModel(Policy):
         temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
         if temperature == 0.0:
             return []
-        torch, transformers, model, _, _ = self._loaded
+        torch, transformers, model, _, _ = self._load
         processors: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
         if self.sampling.top_p is not None:
             processors.append(transformers.TopPLogitsWarper(self.sampling.top_p))
@@ -216,8 +216,8 @@ class LocalModel(Policy):
 
     def _ends(self) -> set[int]:
         """Return the tokens at which the model ends a text."""
-        end_tokens = self._loaded.model.generation_config.eos_token_id
-        own = self._loaded.tokenizer.eos_token_id
+        end_tokens = self._load.model.generation_config.eos_token_id
+        own = self._load.tokenizer.eos_token_id
         return {*(end_tokens if isinstance(end_tokens, list) else [end_tokens]), own} - {None}
 
     def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
@@ -225,6 +225,6 @@ class LocalModel(Policy):
         end = next((position for position, token in enumerate(tokens) if token in ends), None)
         finish: Finish = "length" if end is None else "stop"
         kept = tokens if end is None else tokens[:end]
-        text = self._loaded.tokenizer.decode(kept, skip_special_tokens=True)
+        text = self._load.tokenizer.decode(kept, skip_special_tokens=True)
         count = len(kept) + (end is not None)
         return Completion(text=text, finish=finish, prompt_tokens=int(prompt_tokens), completion_tokens=count)

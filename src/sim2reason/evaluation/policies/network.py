@@ -33,16 +33,16 @@ __all__ = [
     "Reply",
     "Secret",
     "delay",
-    "explained",
-    "from_environment",
-    "loading",
+    "explain_errors",
+    "loading_arguments",
     "out_of_reach",
     "post",
-    "quiet",
+    "read_secret",
+    "silence_library",
 ]
 
 FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: first and longest delay, and longest one that a server may request
-WORTH_IT: Final = 2.0  # factor between successive delays
+DELAY_FACTOR: Final = 2.0  # factor between successive delays
 
 
 def delay(attempt: int, seed: int, retry_after: float | None = None) -> float:
@@ -51,7 +51,7 @@ def delay(attempt: int, seed: int, retry_after: float | None = None) -> float:
     It doubles up to a minute, minus a fraction of up to one half determined by `seed` and `attempt`; at least as long
     as the server `retry_after`, up to five minutes.
     """
-    most = min(FIRST * WORTH_IT ** min(attempt, 30), LONGEST)
+    most = min(FIRST * DELAY_FACTOR ** min(attempt, 30), LONGEST)
     share = Random(f"{seed}:{attempt}").uniform(0.5, 1.0)  # noqa: S311 - spreads requests, guards nothing
     return max(most * share, min(retry_after or 0.0, ASKED))
 
@@ -103,7 +103,7 @@ class Secret:
         return {self._text, quote(self._text, safe="")} - {""}
 
 
-def from_environment(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
+def read_secret(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
     """Return the key in an environment variable; PolicyError, with only the variable's name, if it is invalid."""
     if variable is None:
         return Secret()
@@ -211,7 +211,7 @@ def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | N
     return False
 
 
-def loading(path: str, revision: str | None = None) -> dict[str, Any]:
+def loading_arguments(path: str, revision: str | None = None) -> dict[str, Any]:
     """Return the arguments of `from_pretrained` that restrict it to local files if the Hub is unreachable.
 
     Raises:
@@ -227,7 +227,7 @@ def loading(path: str, revision: str | None = None) -> dict[str, Any]:
 
 
 @contextmanager
-def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
+def explain_errors(path: str, error: Callable[[str], Exception]) -> Generator[None]:
     """Convert the library's loading errors in the block to the given `error` with one line."""
     try:
         yield
@@ -237,7 +237,7 @@ def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
 
 
 @contextmanager
-def quiet() -> Generator[None, None, None]:
+def silence_library() -> Generator[None, None, None]:
     """Suppress the library's progress bars and warnings while the block runs; errors are still raised.
 
     Also suppressed is a warning that peft 0.21 causes in transformers 5.23. MissingExtraError without the library.

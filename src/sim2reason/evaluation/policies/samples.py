@@ -13,9 +13,9 @@ from threading import Condition, Thread
 
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
-from sim2reason.evaluation.policies.journal import SampleJournal, finished
+from sim2reason.evaluation.policies.journal import SampleJournal, read_finished
 
-__all__ = ["Asked", "Budget", "NoAnswerError", "ask", "requests_for", "sample_seed"]
+__all__ = ["Budget", "NoAnswerError", "RequestSummary", "ask", "requests_for", "sample_seed"]
 
 
 class NoAnswerError(PolicyError):
@@ -57,7 +57,7 @@ class Budget:
     def charge_finished(self, journal: Path, requests: Iterable[SampleRequest]) -> None:
         """Add the tokens and cost of a journal's samples; those in `requests` count fully if they are unreported."""
         by_key = {(request.id, request.sample): request for request in requests}
-        for sample in finished(journal):
+        for sample in read_finished(journal):
             request = by_key.get(sample.key)
             self.charge(self.used(sample.completion, self.most(request) if request else (0, 0.0)))
 
@@ -90,7 +90,7 @@ MAX_FAILURES = 8  # failed requests in a row after which the endpoint counts as 
 
 
 @dataclass
-class Asked:
+class RequestSummary:
     """The counts of samples finished before and now, and the reasons why other requests got no answer."""
 
     finished_before: int = 0
@@ -123,7 +123,7 @@ def ask(
     *,
     budget: Budget | None = None,
     advance: Callable[[int], object] = lambda _: None,
-) -> Asked:
+) -> RequestSummary:
     """Request all samples that the journal does not contain; `advance` receives the numbers finished.
 
     `budget` may be shared by several journals, and is already charged for their samples; by default it is for this
@@ -135,7 +135,7 @@ def ask(
     """
     wanted = list(requests)
     missing = [request for request in wanted if not journal.holds(request)]
-    progress = Asked(finished_before=len(wanted) - len(missing))
+    progress = RequestSummary(finished_before=len(wanted) - len(missing))
     advance(progress.finished_before)
     if budget is None:
         budget = Budget(policy)
@@ -151,7 +151,7 @@ def _run(
     width: int,
     batches: Iterator[list[SampleRequest]],
     work: Callable[[list[SampleRequest]], int],
-    progress: Asked,
+    progress: RequestSummary,
     advance: Callable[[int], object],
 ) -> None:
     """Keep `width` batches of requests running at once; stop at the first error that would affect all others.

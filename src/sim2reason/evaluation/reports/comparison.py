@@ -14,7 +14,7 @@ from sim2reason.evaluation.benchmarks.runs.config import RunFolder
 from sim2reason.evaluation.benchmarks.runs.run import SampleOutcome
 from sim2reason.evaluation.reports.evaluation import SCORES
 from sim2reason.evaluation.reports.pages import table
-from sim2reason.evaluation.reports.results import Estimate, difference, mean_of_items, rank_correlation
+from sim2reason.evaluation.reports.results import Estimate, difference, item_mean, rank_correlation
 from sim2reason.figures.run_plots import Bar, Point, scatter
 
 __all__ = [
@@ -25,7 +25,7 @@ __all__ = [
     "compare",
     "correlate",
     "own_folder",
-    "scores_of",
+    "read_scores",
 ]
 
 
@@ -65,7 +65,7 @@ def all_scores(run: Path | str) -> list[PolicyScores]:
     return [PolicyScores(name, folder, policy_points) for name, policy_points in points.items()]
 
 
-def scores_of(address: str) -> PolicyScores:
+def read_scores(address: str) -> PolicyScores:
     """Return the scores of one policy, given as RUN if that has only one, or RUN:POLICY.
 
     EvaluationError if there is no such run or policy, or if there are several and none is named.
@@ -113,7 +113,7 @@ def compare(first: str | Path, second: str | Path, out: Path | None = None) -> l
         EvaluationError: no such run or policy, no benchmark in common, other problems under the same name, or a folder
             that holds something else.
     """
-    mine, theirs = scores_of(str(first)), scores_of(str(second))
+    mine, theirs = read_scores(str(first)), read_scores(str(second))
     common = [name for name in mine.points if name in theirs.points]
     if not common:
         raise EvaluationError(f"{first} and {second} have answered no benchmark of the same name")
@@ -228,7 +228,7 @@ def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCo
     for name in (across, up):
         if len({scores.run.record.benchmarks[name].data for scores in both}) > 1:
             raise EvaluationError(f"benchmark {name}: the runs have other problems; correlate the same ones")
-    x, y = (tuple(mean_of_items(list(s.points[name].values())) for s in both) for name in (across, up))
+    x, y = (tuple(item_mean(list(s.points[name].values())) for s in both) for name in (across, up))
     rho = rank_correlation([each.value for each in x], [each.value for each in y])
     return RankCorrelation(across, up, tuple(s.name for s in both), rho, x, y)
 

@@ -7,16 +7,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sim2reason.base.atomic_files import canonical, put, put_text
-from sim2reason.base.records import counted
+from sim2reason.base.atomic_files import canonical, put_text, write_atomically
+from sim2reason.base.records import format_count
 from sim2reason.errors import MissingExtraError, PolicyError, Sim2ReasonError
-from sim2reason.evaluation.benchmarks.runs.config import Evaluation, RunFolder, evaluation_from
+from sim2reason.evaluation.benchmarks.runs.config import Evaluation, RunFolder, build_evaluation
 from sim2reason.evaluation.benchmarks.runs.run import SampleOutcome, outcomes, run
 from sim2reason.evaluation.reports.pages import answers_page, page
 from sim2reason.evaluation.reports.results import Result, RunReport, result
 from sim2reason.figures.run_plots import Bar, bars, over_steps
 
-__all__ = ["Evaluated", "evaluate", "write_report"]
+__all__ = ["EvaluationResult", "evaluate", "write_report"]
 
 JSON, PAGE, SCORES, ANSWERS = "report.json", "report.md", "scores.jsonl", "answers.html"
 NO_PICTURES = "There are no pictures, since matplotlib is not installed: pip install matplotlib"
@@ -57,7 +57,7 @@ def _lines(path: Path, lines: Iterator[str]) -> None:
         with temporary.open("w", encoding="utf-8", newline="\n", errors="replace") as file:
             file.writelines(lines)
 
-    put(path, write, path.parent)
+    write_atomically(path, write, path.parent)
 
 
 def _bar(policy_result: Result | None) -> Bar | None:
@@ -121,7 +121,7 @@ def _steps(folder: RunFolder, out: Path, results: Sequence[Result]) -> Iterator[
 
 
 @dataclass(frozen=True)
-class Evaluated:
+class EvaluationResult:
     """An evaluation with its report.
 
     Attributes:
@@ -136,7 +136,7 @@ class Evaluated:
 
     def __repr__(self) -> str:
         """Return the folder and the number of results."""
-        return f"<Evaluated {str(self.folder.path)!r}: {counted(len(self.report.results), 'result')}>"
+        return f"<Evaluated {str(self.folder.path)!r}: {format_count(len(self.report.results), 'result')}>"
 
     def __str__(self) -> str:
         """Return a line with the accuracy for each policy on each benchmark."""
@@ -150,7 +150,7 @@ def evaluate(
     *,
     begun: Callable[[int], object] = lambda _: None,
     advance: Callable[[int], object] = lambda _: None,
-) -> Evaluated:
+) -> EvaluationResult:
     r"""Evaluate policies on benchmarks, and write a report.
 
     ``sim2reason.eval`` is this function. Answers of an earlier run in the same folder are reused. If a run ends early,
@@ -181,14 +181,14 @@ def evaluate(
         >>> [(each.policy, each.benchmark, each.accuracy.value) for each in run.report.results]
         [('one', 'ours', 0.0)]
     """
-    evaluation = evaluation_from(config, out)
+    evaluation = build_evaluation(config, out)
     try:
         folder, left = run(evaluation, begun=begun, advance=advance)
     except PolicyError as error:
         if _reported(evaluation.out):
             error.add_note(f"what was finished is kept in {evaluation.out}; the same command goes on")
         raise
-    return Evaluated(folder, write_report(folder), tuple(left))
+    return EvaluationResult(folder, write_report(folder), tuple(left))
 
 
 def _reported(out: Path) -> bool:

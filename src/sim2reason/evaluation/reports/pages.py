@@ -11,7 +11,7 @@ from pydantic import JsonValue
 from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.evaluation.benchmarks.runs.config import RunFolder, RunRecord
 from sim2reason.evaluation.benchmarks.runs.run import Ending, SampleOutcome
-from sim2reason.evaluation.policies.journal import finished
+from sim2reason.evaluation.policies.journal import read_finished
 from sim2reason.evaluation.reports.results import Result
 
 __all__ = ["answers_page", "page", "table"]
@@ -155,7 +155,7 @@ def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcom
 
 def _texts(folder: RunFolder, policy: str, benchmark: str, wanted: set[str]) -> dict[str, str]:
     """Return a policy's first responses to the wanted problems."""
-    samples = finished(folder.samples(policy, benchmark))
+    samples = read_finished(folder.samples(policy, benchmark))
     return {s.id: s.completion.whole[:LONGEST] for s in samples if s.sample == 0 and s.id in wanted}
 
 

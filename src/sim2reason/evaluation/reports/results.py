@@ -20,12 +20,12 @@ __all__ = [
     "RunReport",
     "Share",
     "difference",
-    "mean_of_items",
+    "item_mean",
     "pass_at",
     "points_by_item",
     "rank_correlation",
     "result",
-    "wilson",
+    "wilson_interval",
 ]
 
 LEVEL: Final = 0.95
@@ -51,7 +51,7 @@ class Estimate(NamedTuple):
         return f"{100 * self.value:.1f} [{100 * self.low:.1f}, {100 * self.high:.1f}]"
 
 
-def wilson(right: int, total: int) -> Estimate:
+def wilson_interval(right: int, total: int) -> Estimate:
     """Return a fraction of independent trials, with the score interval of Wilson (1927).
 
     ValueError for no trials, or for more successes than trials.
@@ -87,13 +87,13 @@ def _interval(values: Floats, minimum: float) -> Estimate:
     """
     mean = float(values.mean())
     if np.ptp(values) == 0.0:
-        reach = wilson(0, len(values)).high
+        reach = wilson_interval(0, len(values)).high
         return Estimate(mean, max(minimum, mean - reach), min(1.0, mean + reach), "score")
     low, high = np.quantile(_resampled(values), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
     return Estimate(mean, float(low), float(high), "bootstrap")
 
 
-def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
+def item_mean(points: Sequence[Sequence[float]]) -> Estimate:
     """Return mean@k: the mean over items of their mean points, each over its own samples.
 
     Items are the trials. With one sample each, correct or not, the interval is Wilson's; else it is a bootstrap over
@@ -101,7 +101,7 @@ def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
     """
     means = np.array([sum(item_points) / len(item_points) for item_points in points], dtype=np.float64)
     if all(len(item_points) == 1 and item_points[0] in {0.0, 1.0} for item_points in points):
-        return wilson(int(means.sum()), len(means))
+        return wilson_interval(int(means.sum()), len(means))
     return _interval(means, 0.0)
 
 
@@ -245,7 +245,7 @@ def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[Sa
         samples=plan.samples,
         responses=len(outcomes),
         missing=plan.items * plan.samples - len(outcomes),
-        accuracy=Share.of(mean_of_items(all_points)),
+        accuracy=Share.of(item_mean(all_points)),
         pass_at=passes,
         endings={ending: endings[ending] for ending in Ending},
         tokens=sum(tokens) / len(tokens) if tokens else None,
@@ -264,7 +264,7 @@ def _groups(items: Iterable[BenchmarkItem], points: Mapping[str, list[float]]) -
                     sorted_out.setdefault(tag, {}).setdefault(value, []).append(points[item.id])
     return {
         tag: {
-            value: Group(items=len(group_points), accuracy=Share.of(mean_of_items(group_points)))
+            value: Group(items=len(group_points), accuracy=Share.of(item_mean(group_points)))
             for value, group_points in sorted(by_value.items())
         }
         for tag, by_value in sorted(sorted_out.items())

@@ -4,9 +4,9 @@ from cmath import phase, rect
 from collections.abc import Mapping
 from math import degrees, pi, radians
 
-from sim2reason.figures.paths import owner_of
-from sim2reason.figures.plane import RIGHT, UP, cross, crosses, dot, from_segment, unit_vector
-from sim2reason.figures.scaled.lines import beside
+from sim2reason.figures.paths import owner_name
+from sim2reason.figures.plane import RIGHT, UP, cross, crosses, dot, segment_distance, unit_vector
+from sim2reason.figures.scaled.lines import label_positions
 from sim2reason.figures.scaled.setting import OBLONG, DrawingContext, vector
 from sim2reason.figures.shapes import SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, width
 from sim2reason.scenes.dsl.body import Slender
@@ -39,14 +39,16 @@ def speeds(setting: DrawingContext, *, headings: bool = True) -> Sketch:
     for name, velocity in moving.items():
         direction, (start, arrow) = unit_vector(velocity), ahead[name]
         if any(_run_together(ahead[name], other) for each, other in ahead.items() if each != name):
-            start = _beside(setting, name, direction)
+            start = _arrow_start(setting, name, direction)
         end = start + arrow
         sketch.shapes.append(LineShape((start, end), "thin", arrow=True))
         text = _speed(setting, name, abs(velocity))
         unsaid |= not text
         if text:
             tip = end + direction * (0.15 + 0.5 * width(text, SMALL) * abs(direction.real) + 0.2 * abs(direction.imag))
-            sketch.labels.append(LabelRequest(text, (tip, *beside(start, end, text, SMALL)), name, SMALL, name=False))
+            sketch.labels.append(
+                LabelRequest(text, (tip, *label_positions(start, end, text, SMALL)), name, SMALL, name=False)
+            )
         if headings:
             _heading(setting, name, velocity, sketch)
     if unsaid and len(moving) > 0:
@@ -63,13 +65,13 @@ def _shown(setting: DrawingContext, body: RigidBody, velocity: complex) -> bool:
     if abs(velocity) <= REST_SPEED or body.name not in setting.bodies:
         return False
     unit_of_speed = setting.mechanism.units.spell("m/s")
-    stated = setting.stated(owner_of(body.name), unit_of_speed, abs(velocity))
+    stated = setting.stated(owner_name(body.name), unit_of_speed, abs(velocity))
     return bool(stated or (body.coordinates and not setting.plan.leaves_open(body.name, unit_of_speed)))
 
 
 def _speed(setting: DrawingContext, name: str, speed: float) -> str:
     """Return the text of a body's stated speed, or of a stated negative velocity without its sign."""
-    owner, unit_of_speed = owner_of(name), setting.mechanism.units.spell("m/s")
+    owner, unit_of_speed = owner_name(name), setting.mechanism.units.spell("m/s")
     velocity = setting.stated(owner, unit_of_speed, -speed)
     turned = velocity[1:] if velocity.startswith(MINUS) else ""
     return setting.stated(owner, unit_of_speed, speed) or turned
@@ -82,10 +84,10 @@ def _tail(setting: DrawingContext, name: str, direction: complex) -> complex:
         return at + setting.radius(name) * direction
     if name in setting.stacked.values():
         return at + (0.5 * setting.sizes(name)[0] + 0.15) * direction + 0.2 * UP
-    return _beside(setting, name, direction)
+    return _arrow_start(setting, name, direction)
 
 
-def _beside(setting: DrawingContext, name: str, direction: complex) -> complex:
+def _arrow_start(setting: DrawingContext, name: str, direction: complex) -> complex:
     """Return the start of an arrow above a body, or to its left."""
     out = direction * 1j if (direction * 1j).imag > 0.0 or abs(direction.imag) > 0.999 else direction * -1j
     back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
@@ -98,7 +100,7 @@ def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) 
     if crosses(a, a + along, b, b + across):
         return True
     ends = ((b, one), (b + across, one), (a, other), (a + along, other))
-    return any(from_segment(point, tail, tail + arrow) < ARROW_GAP for point, (tail, arrow) in ends)
+    return any(segment_distance(point, tail, tail + arrow) < ARROW_GAP for point, (tail, arrow) in ends)
 
 
 def _runs_over(setting: DrawingContext, moving: Mapping[str, complex], size: float) -> bool:
@@ -158,9 +160,9 @@ def spins(setting: DrawingContext) -> Sketch:
         for hinge in body.coordinates:
             rate = setting.mechanism.units.spell("rad/s")
             if hinge.kind == "hinge" and abs(hinge.speed) > REST_SPEED:
-                text = setting.stated(owner_of(body.name), rate, abs(hinge.speed))
+                text = setting.stated(owner_name(body.name), rate, abs(hinge.speed))
                 if text:
-                    sense = 1.0 if inner(hinge.axis, setting.view.towards) * hinge.speed > 0.0 else -1.0
+                    sense = 1.0 if inner(hinge.axis, setting.view.page_normal) * hinge.speed > 0.0 else -1.0
                     _curved(text, setting, body, sense, sketch)
     return sketch
 
@@ -239,11 +241,11 @@ def _hanging(setting: DrawingContext) -> list[tuple[complex, complex, str]]:
         if len(line.through) == 2:
             ends = line.through if setting.mechanism.site[line.through[0]].body is None else line.through[::-1]
             if setting.mechanism.site[ends[0]].body is None:
-                segments.append((setting.site(ends[0]), setting.site(ends[1]), owner_of(line.whole)))
+                segments.append((setting.site(ends[0]), setting.site(ends[1]), owner_name(line.whole)))
     for body in setting.members:
         if any(c.kind == "hinge" for c in body.coordinates) and body.name not in setting.mechanism.contacts:
             pivot = setting.view.at(vector(setting.frames[body.name].origin))
-            segments.append((pivot, _tip(setting, body, pivot), owner_of(body.name)))
+            segments.append((pivot, _tip(setting, body, pivot), owner_name(body.name)))
     return segments
 
 
@@ -265,7 +267,7 @@ def heights(setting: DrawingContext) -> Sketch:
             continue
         at, scale = setting.at(body.name), setting.view.scale
         height = setting.place(body.name)[2] - floor
-        text = setting.stated(owner_of(body.name), setting.mechanism.units.length, height)
+        text = setting.stated(owner_name(body.name), setting.mechanism.units.length, height)
         if text and height:
             top, low = at - 0.6 * RIGHT, at - 0.6 * RIGHT - height * scale * UP
             sketch.shapes += _dimension(low, top, at)

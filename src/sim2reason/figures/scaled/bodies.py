@@ -7,9 +7,9 @@ from itertools import product
 from math import acos, asin, pi, sqrt
 
 from sim2reason.figures.hanging import block_labels
-from sim2reason.figures.pieces import around
+from sim2reason.figures.pieces import positions_around
 from sim2reason.figures.plane import RIGHT, UP, Polygon, hull, rectangle, unit_vector
-from sim2reason.figures.scaled.lines import beside
+from sim2reason.figures.scaled.lines import label_positions
 from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, DrawingContext
 from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, LabelRequest, Shape, Sketch, width
 from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
@@ -41,7 +41,7 @@ def undeclared_body(setting: DrawingContext, address: str, at: complex) -> Sketc
 
 def shapes(setting: DrawingContext, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
     """Return the shapes of a body, from back to front."""
-    x, y, z = (setting.view.way(axis) for axis in setting.axes(address))
+    x, y, z = (setting.view.project_direction(axis) for axis in setting.axes(address))
     size = setting.view.scale
     match look:  # each kind of look has its own shapes
         case Small(kind):
@@ -156,7 +156,10 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
         if not _covered(setting, address):
             return [inside, *rest]
         wide = width(inside.text, SIZE)
-        return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit_vector(-1 + 1j)))), *rest]
+        return [
+            replace(inside, places=(*inside.places, *positions_around(at, 0.55, wide, start=unit_vector(-1 + 1j)))),
+            *rest,
+        ]
     name, radius = plan.name(address), setting.radius(address)
     mark = look.mark if isinstance(look, Small) else ""
     labels = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
@@ -165,18 +168,20 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
     mass = plan.mass(address)
     if fits and mass:
         labels.append(
-            LabelRequest(mass, around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False)
+            LabelRequest(
+                mass, positions_around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False
+            )
         )
     text = name if fits or not mass else f"{name} ({mass})"
     size = SIZE if text == name else SMALL
     start = -unit_vector(velocity) if (velocity := setting.velocity(address)) else UP
-    aside = tuple(beside(at - long, at + long, text, size, half + 0.12)) if long else ()
-    ring = (around(at, radius + far, width(text, size), start=start) for far in (0.1, 0.7))
+    aside = tuple(label_positions(at - long, at + long, text, size, half + 0.12)) if long else ()
+    ring = (positions_around(at, radius + far, width(text, size), start=start) for far in (0.1, 0.7))
     beyond = (*aside, *(position for each in ring for position in each))
     places = (at, *beyond) if fits else beyond
     if not named:  # it needs no name, but a number may stand beside it
         text, size = mass, SMALL
-        places = around(at, radius + 0.1, width(mass, SMALL), start=UP)
+        places = positions_around(at, radius + 0.1, width(mass, SMALL), start=UP)
     return [*labels, LabelRequest(text, places, address, size, name=bool(named))] if text else labels
 
 

@@ -5,12 +5,23 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import acos, degrees
 
-from sim2reason.figures.paths import owner_of
+from sim2reason.figures.paths import owner_name
 from sim2reason.figures.plane import UP, box, cross, dot, unit_vector
 from sim2reason.figures.scaled.rails import rails, walls
 from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Sketch, corner_angle, hatched, rough, width
+from sim2reason.figures.shapes import (
+    SIZE,
+    SMALL,
+    Arc,
+    Area,
+    LabelRequest,
+    Sketch,
+    corner_angle,
+    hatched_line,
+    rough,
+    width,
+)
 from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.scenes.dsl.mechanism import Prop, SurfaceContact
 
@@ -57,14 +68,14 @@ def surfaces(setting: DrawingContext) -> list[Surface]:
         bears = isinstance(setting.look(face.subject), MovingSlope | BigBox)
         if not setting.owns(face.subject) or face.turning or carried or bears:
             continue
-        normal = unit_vector(setting.view.way(vector(setting.frames.normal(face.subject))) or UP)
+        normal = unit_vector(setting.view.project_direction(vector(setting.frames.normal(face.subject))) or UP)
         below = reach(setting, face)
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
         for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
             _touch(surfaces_by_key, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
-        at, normal = setting.site(foot.site), unit_vector(setting.view.way(foot.normal))
+        at, normal = setting.site(foot.site), unit_vector(setting.view.project_direction(foot.normal))
         if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
             for end in _below(setting, setting.mechanism.site[foot.site].body or "", at, normal):
                 _touch(surfaces_by_key, None, normal, end)
@@ -129,13 +140,13 @@ def _fixed(setting: DrawingContext, surface: Surface, sketch: Sketch) -> None:
     a, b = surface.ends
     slope = surface.along.imag
     if abs(slope) < FLAT or surface.normal.imag < FLAT:
-        sketch.shapes += hatched(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched(b, a)
+        sketch.shapes += hatched_line(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched_line(b, a)
         return
     low, high = (a, b) if a.imag < b.imag else (b, a)
     corner = complex(high.real, low.imag)
     sketch.shapes.append(Area((low, corner, high) if corner.real > low.real else (corner, low, high), "fixed"))
     left, right = sorted((low, corner), key=lambda p: p.real)
-    sketch.shapes += hatched(left, right)
+    sketch.shapes += hatched_line(left, right)
     _angle(low, high, sketch, setting)
 
 
@@ -182,7 +193,7 @@ def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], sketch: Sk
     corners = [*feet, *tops, *(complex(top.real, base) for top in tops if len(faces) == 1)]
     left, _, right, _ = box(corners)
     outline = tuple(sorted(corners, key=lambda p: _round(p, sum(corners) / len(corners))))
-    sketch.shapes += [Area(outline, "wedge"), *hatched(complex(left - 0.9, base), complex(right + 0.9, base))]
+    sketch.shapes += [Area(outline, "wedge"), *hatched_line(complex(left - 0.9, base), complex(right + 0.9, base))]
     for foot, top in zip(feet, tops, strict=True):
         _angle(foot, top, sketch, setting)
     text = setting.plan.caption(owner)
@@ -209,7 +220,7 @@ def _curved(setting: DrawingContext, face: SurfaceContact, sketch: Sketch) -> No
     """Draw a circular track about the origin of a body's frame, inside or outside the body on it."""
     center = setting.view.at(vector(setting.frames[face.subject].origin))
     at = setting.at(face.subject)
-    outward = dot(setting.view.way(vector(setting.frames.normal(face.subject))), at - center) > 0.0
+    outward = dot(setting.view.project_direction(vector(setting.frames.normal(face.subject))), at - center) > 0.0
     radius = abs(at - center)
     if not face.guided:
         radius += setting.radius(face.subject) * (-1.0 if outward else 1.0)
@@ -219,7 +230,7 @@ def _curved(setting: DrawingContext, face: SurfaceContact, sketch: Sketch) -> No
     start, stop = (0.0, 180.0) if outward else (180.0, 360.0)
     sketch.shapes.append(Arc(center, radius, start, stop))
     if outward:
-        sketch.shapes += hatched(center - radius - 0.6, center + radius + 0.6)
+        sketch.shapes += hatched_line(center - radius - 0.6, center + radius + 0.6)
 
 
 def _walls(setting: DrawingContext, sketch: Sketch) -> None:
@@ -236,17 +247,17 @@ def _walls(setting: DrawingContext, sketch: Sketch) -> None:
         around = [setting.at(body.name) for body in setting.members]
         left, _, right, _ = box(around)
         level = setting.view.at((0.0, 0.0, height)).imag
-        sketch.shapes += hatched(complex(left - 1.2, level), complex(right + 4.2, level))
+        sketch.shapes += hatched_line(complex(left - 1.2, level), complex(right + 4.2, level))
     for meeting in setting.mechanism.meetings:
         if meeting.a is not None or meeting.normal is None or not setting.owns(meeting.b):
             continue
         if setting.view.level:
             continue  # the sheet ends there
         if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
-            normal, at = unit_vector(setting.view.way(meeting.normal)), setting.at(meeting.b)
+            normal, at = unit_vector(setting.view.project_direction(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
             half = 0.9 * normal * -1j
-            sketch.shapes += hatched(foot - half, foot + half)
+            sketch.shapes += hatched_line(foot - half, foot + half)
     for line in setting.lines:
         if isinstance(line.law, Prop):
             _stand(setting, line.through, sketch)
@@ -263,14 +274,14 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], sketch: Sketch) -> No
                 turn = degrees(phase(up))
                 sketch.shapes.append(Arc(foot - GLOBE * up, GLOBE, turn - 16.0, turn + 16.0))
             else:
-                sketch.shapes += hatched(foot - half, foot + half)
+                sketch.shapes += hatched_line(foot - half, foot + half)
 
 
 def _note(setting: DrawingContext, address: str, tilt: float, sketch: Sketch) -> None:
     """Add a label that states the tilt of a table, because a view from above cannot show the tilt."""
     setting.drawn.add(address)
     if tilt:
-        text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"
+        text = f"tilted at {setting.stated(owner_name(address), 'deg', tilt)}; y points up the slope"
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
         sketch.labels.append(LabelRequest(text, (spot,), address, SMALL, name=False))

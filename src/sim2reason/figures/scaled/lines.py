@@ -7,11 +7,11 @@ from math import pi
 
 from sim2reason.figures.hanging import plate, pull_text
 from sim2reason.figures.paths import spring
-from sim2reason.figures.pieces import around
+from sim2reason.figures.pieces import positions_around
 from sim2reason.figures.plane import RIGHT, UP, cross, dot, rectangle, unit_vector
 from sim2reason.figures.scaled.rails import rides
 from sim2reason.figures.scaled.setting import DrawingContext, vector
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Shape, Sketch, dot_at, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Shape, Sketch, axle_dot, width
 from sim2reason.figures.shapes import LineShape as Stroke
 from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
@@ -104,7 +104,9 @@ def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, ske
     if text:
         rim = middle + a * rect(1.0, 0.5 * (phase(b / a) % (2.0 * pi)))
         sketch.shapes.append(Stroke((middle, rim), "hair", arrow=True))
-        sketch.labels.append(LabelRequest(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
+        sketch.labels.append(
+            LabelRequest(text, tuple(label_positions(middle, rim, text, SMALL)), owner, SMALL, name=False)
+        )
 
 
 def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
@@ -127,16 +129,16 @@ def _named(setting: DrawingContext, address: str, points: list[complex]) -> list
     body = setting.bodies.get(address)
     if body is not None and body.letters:
         text = setting.plan.name(address)
-        labels.append(LabelRequest(text, tuple(beside(a, b, text, SIZE)), address))
+        labels.append(LabelRequest(text, tuple(label_positions(a, b, text, SIZE)), address))
     owners = (address, address.split(".", maxsplit=1)[0])
     unit_of_length, long = setting.mechanism.units.length, abs(b - a) / setting.view.scale
     length = next((text for owner in owners if (text := setting.stated(owner, unit_of_length, long))), "")
     if length:
-        labels.append(LabelRequest(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
+        labels.append(LabelRequest(length, tuple(label_positions(a, b, length, SMALL)), address, SMALL, name=False))
     return labels
 
 
-def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
+def label_positions(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
     """Yield candidate positions of a label beside a stroke, from its middle outwards."""
     direction, wide = unit_vector(b - a), 0.5 * width(text, size)
     for more in (0.0, 0.5):
@@ -154,20 +156,23 @@ def _draw_support(setting: DrawingContext, site: str, inward: complex, sketch: S
     if site in builder.drawing:
         text = pull_text(setting.plan, site)
         sketch.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
-        places = around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
+        places = positions_around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
         sketch.labels.append(LabelRequest(text, places, site, SMALL, name=False))
     elif setting.view.level:
-        sketch.shapes.append(dot_at(at, NAIL))
+        sketch.shapes.append(axle_dot(at, NAIL))
     else:
         slanting = any(
             abs(cross(setting.along(body.name), inward)) < COINCIDENCE_TOLERANCE
             for body in setting.members
             if rides(setting, body) or body.name in setting.mechanism.contacts
         )
-        sketch.shapes += [*plate(-inward if slanting else behind(inward), at, PLATE, 0.9), dot_at(at, NAIL)]
+        sketch.shapes += [
+            *plate(-inward if slanting else support_direction(inward), at, PLATE, 0.9),
+            axle_dot(at, NAIL),
+        ]
 
 
-def behind(inward: complex) -> complex:
+def support_direction(inward: complex) -> complex:
     """Return the direction of the support (up, sideways or down) of a fixed end whose line lies `inward`."""
     if inward.imag < -0.35:
         return UP
@@ -192,22 +197,24 @@ def _arm(setting: DrawingContext, body: RigidBody, sketch: Sketch, front: Sketch
         far = max(ends, key=lambda end: abs(end - pivot))
         owner = body.name.split(".", maxsplit=1)[0]
         text = setting.stated(owner, setting.mechanism.units.length, abs(far - pivot) / setting.view.scale)
-        pieces = pieces_on(setting, body)
+        pieces = carried_pieces(setting, body)
         if text and not (
             len(pieces) > 1 and any(abs(setting.at(piece) - far) < COINCIDENCE_TOLERANCE for piece in pieces)
         ):
-            sketch.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
+            sketch.labels.append(
+                LabelRequest(text, tuple(label_positions(pivot, far, text, SMALL)), owner, SMALL, name=False)
+            )
         _lettered(setting, body.name, pivot, far, sketch)
     if body.parent is None and not setting.view.level:
         mean = sum(ends) / len(ends) - pivot if ends else -UP
         sketch.shapes += plate(
-            behind(unit_vector(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9
+            support_direction(unit_vector(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9
         )
     if not stiff:
         front.shapes.append(Arc(pivot, PIVOT))
 
 
-def pieces_on(setting: DrawingContext, arm: RigidBody) -> list[str]:
+def carried_pieces(setting: DrawingContext, arm: RigidBody) -> list[str]:
     """Return the addresses of the bodies that an arm carries and whose drawn size is real."""
     sized = Spherical | Axial | Capped | Rectangular | Silhouette
     return [
@@ -220,7 +227,7 @@ def _lettered(setting: DrawingContext, address: str, pivot: complex, far: comple
     body = setting.bodies.get(address)
     if body is not None and isinstance(body.look, Slender) and body.letters:
         text = setting.plan.name(address)
-        sketch.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SIZE)), address))
+        sketch.labels.append(LabelRequest(text, tuple(label_positions(pivot, far, text, SIZE)), address))
         setting.drawn.add(address)
 
 

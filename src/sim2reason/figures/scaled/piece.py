@@ -4,27 +4,27 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, dist
 
-from sim2reason.figures.paths import PathKnot, owner_of
-from sim2reason.figures.pieces import DrawingPlan, Piece, around
+from sim2reason.figures.paths import PathKnot, owner_name
+from sim2reason.figures.pieces import DrawingPlan, Piece, positions_around
 from sim2reason.figures.plane import Polygon, box, dot, hull, unit_vector
 from sim2reason.figures.scaled import bodies
 from sim2reason.figures.scaled.arrows import deflections, heights, speeds, spins
 from sim2reason.figures.scaled.grounds import grounds
-from sim2reason.figures.scaled.lines import beside, lines, pieces_on
+from sim2reason.figures.scaled.lines import carried_pieces, label_positions, lines
 from sim2reason.figures.scaled.pushes import fields, pushes
 from sim2reason.figures.scaled.setting import SLAB, DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import axes
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, dot_at, outline, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, axle_dot, outline, width
 from sim2reason.scenes.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
 from sim2reason.scenes.dsl.mechanism import RigidBody
-from sim2reason.simulation.quantities.subjects.bodies import rim_of
+from sim2reason.simulation.quantities.subjects.bodies import rim_sites
 
 CLEAR, DIMENSION_SPACING = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
 NONE = 1e-6  # degrees; a smaller angle is not drawn
 ARC = 0.35  # units beyond the body at which an angle is marked
 
 
-def stated(setting: DrawingContext) -> Sketch:
+def sketch_numbers(setting: DrawingContext) -> Sketch:
     """Return the sketch of all stated distances, angles and friction coefficients."""
     sketch = Sketch()
     if not setting.view.level:
@@ -40,7 +40,7 @@ def stated(setting: DrawingContext) -> Sketch:
 
 def _pieces(setting: DrawingContext, arm: RigidBody, sketch: Sketch) -> None:
     """Draw the distances of several bodies on an arm from its axle, the shortest dimension line innermost."""
-    pieces = pieces_on(setting, arm)
+    pieces = carried_pieces(setting, arm)
     if len(pieces) < 2:
         return  # its one distance stands at the arm itself
     pivot = setting.view.at(vector(setting.frames[arm.name].origin))
@@ -49,7 +49,7 @@ def _pieces(setting: DrawingContext, arm: RigidBody, sketch: Sketch) -> None:
     aside = max(setting.radius(piece) for piece in pieces) + CLEAR
     for piece in sorted(pieces, key=lambda name: abs(setting.at(name) - pivot)):
         end, far = setting.at(piece), dist(setting.place(piece), vector(setting.frames[arm.name].origin))
-        text = setting.stated(owner_of(piece), setting.mechanism.units.length, far)
+        text = setting.stated(owner_name(piece), setting.mechanism.units.length, far)
         if text:
             _dimension(pivot, end, aside * out, text, piece, sketch)
             aside += DIMENSION_SPACING
@@ -60,7 +60,7 @@ def _dimension(start: complex, end: complex, by: complex, text: str, subject: st
     middle = 0.5 * (start + end) + by
     sketch.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
     sketch.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
-    places = beside(start + by, end + by, text, SMALL, far=0.08)
+    places = label_positions(start + by, end + by, text, SMALL, far=0.08)
     sketch.labels.append(LabelRequest(text, tuple(places), subject, SMALL, name=False))
 
 
@@ -70,12 +70,12 @@ def _bearing(setting: DrawingContext, body: RigidBody, sketch: Sketch) -> None:
     if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
         return
     at = setting.view.at(vector(setting.frames[body.name].origin))
-    direction = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
+    direction = setting.view.project_direction(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
     if abs(direction) < 0.5:
         return
     turn = degrees(phase(unit_vector(direction))) % 360.0
     value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
-    text = setting.state_once(owner_of(body.name), "deg", value) if value > NONE else ""
+    text = setting.state_once(owner_name(body.name), "deg", value) if value > NONE else ""
     if not text:
         return
     radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
@@ -96,18 +96,20 @@ def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
             turns = len(line.through) > 2 and ends[0] is not None and ends[1] is None
-            if turns and setting.owns(one) and owner_of(one) == owner_of(other):
+            if turns and setting.owns(one) and owner_name(one) == owner_name(other):
                 yield one, other
 
 
 def _leaving(setting: DrawingContext, site: str, wheel: str, sketch: Sketch) -> None:
     """Draw the stated distance of the pulley that a string leads to, and the string's angle to the horizontal."""
     start, end = setting.site(site), setting.site(wheel)
-    direction, owner = unit_vector(end - start), owner_of(site)
+    direction, owner = unit_vector(end - start), owner_name(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
     rim = setting.edge(site, direction)
     if text:
-        sketch.labels.append(LabelRequest(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
+        sketch.labels.append(
+            LabelRequest(text, tuple(label_positions(rim, end, text, SMALL)), wheel, SMALL, name=False)
+        )
     raised = degrees(phase(direction if direction.real >= 0.0 else complex(-direction.real, direction.imag)))
     angle = setting.stated(owner, "deg", abs(raised))
     if not angle:
@@ -126,7 +128,7 @@ def _rubbing(setting: DrawingContext, upper: str, lower: str, sketch: Sketch) ->
     """Draw the stated friction coefficients between two slabs, at one end of their contact face."""
     names = sorted(setting.plan.name(address) for address in (upper, lower))
     letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
-    text = setting.plan.friction_text(owner_of(upper), setting.mechanism.contacts[upper], letter)
+    text = setting.plan.friction_text(owner_name(upper), setting.mechanism.contacts[upper], letter)
     if not text:
         return
     along, at = setting.along(upper), setting.at(upper)
@@ -140,7 +142,7 @@ WHEEL = 0.16  # units, the least radius of a pulley
 ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # looks drawn by other modules, not at the body's position
 
 
-def scaled(setting: DrawingContext) -> Sketch:
+def sketch_to_scale(setting: DrawingContext) -> Sketch:
     """Return the sketch of some entities and connections, drawn to scale."""
     sketch, front = Sketch(), Sketch()
     sketch.extend(fields(setting))
@@ -154,7 +156,7 @@ def scaled(setting: DrawingContext) -> Sketch:
             sketch.extend(bodies.body(setting, address, setting.along(address)))
     sketch.extend(front)
     sketch.extend(deflections(setting))
-    sketch.extend(stated(setting))
+    sketch.extend(sketch_numbers(setting))
     sketch.extend(pushes(setting))
     sketch.extend(speeds(setting))
     sketch.extend(spins(setting))
@@ -166,19 +168,20 @@ def scaled(setting: DrawingContext) -> Sketch:
 
 def _pulley(setting: DrawingContext, address: str) -> Sketch:
     """Return the sketch of a pulley between the two points of its rim, with its axle and name."""
-    sides = rim_of(setting.mechanism, address)
+    sides = rim_sites(setting.mechanism, address)
     if sides is None:
         return Sketch()
     left, right = (setting.site(site) for site in sides)
     middle, radius = 0.5 * (left + right), max(WHEEL, 0.5 * abs(right - left))
     look = setting.bodies[address].look
     solid = isinstance(look, PulleyWheel) and look.solid
-    shapes: list[Shape] = [Arc(middle, radius, fill="disc" if solid else ""), dot_at(middle, 0.05)]
+    shapes: list[Shape] = [Arc(middle, radius, fill="disc" if solid else ""), axle_dot(middle, 0.05)]
     text = setting.plan.caption(address)
     size = SIZE if text == setting.plan.name(address) else SMALL
     setting.drawn.add(address)
     return Sketch(
-        shapes, [LabelRequest(text, around(middle, radius + 0.1, width(text, size), start=1 + 1j), address, size)]
+        shapes,
+        [LabelRequest(text, positions_around(middle, radius + 0.1, width(text, size), start=1 + 1j), address, size)],
     )
 
 
@@ -211,7 +214,7 @@ class ScaledPiece(Piece):
         """Draw the group once; a layout only moves this drawing."""
         super().__init__(name, plan)
         self.setting = DrawingContext(plan, group)
-        self.picture = scaled(self.setting)
+        self.picture = sketch_to_scale(self.setting)
         solid = (s for s in self.picture.shapes if not isinstance(s, LineShape) or s.weight != "hair")
         self.outlines = [polygon for shape in solid if len(polygon := hull(outline(shape))) > 1]
 

@@ -5,9 +5,9 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, hypot
 
-from sim2reason.figures.paths import owner_of
+from sim2reason.figures.paths import owner_name
 from sim2reason.figures.plane import RIGHT, Polygon, dot, unit_vector
-from sim2reason.figures.scaled.lines import beside
+from sim2reason.figures.scaled.lines import label_positions
 from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import (
@@ -19,8 +19,8 @@ from sim2reason.figures.shapes import (
     LineShape,
     Shape,
     Sketch,
+    axle_dot,
     corner_angle,
-    dot_at,
     width,
 )
 from sim2reason.scenes.dsl.body import Small
@@ -53,21 +53,21 @@ def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
     law = force.law
     assert isinstance(law, Push)
     strength = vector(scale(law.profile.value, law.direction))
-    projected = setting.view.way(strength)
+    projected = setting.view.project_direction(strength)
     if abs(projected) <= FLAT * hypot(*strength):
         return
     out, name = unit_vector(projected), force.body
     start = setting.at(name) + setting.radius(name) * out
     sketch.shapes.append(LineShape((start, start + LONG * out), arrow=True))
-    text = setting.stated(owner_of(name), setting.mechanism.units.spell("N"), hypot(*strength))
+    text = setting.stated(owner_name(name), setting.mechanism.units.spell("N"), hypot(*strength))
     if text:
         tip = start + (LONG + 0.15 + 0.5 * width(text, SMALL) * abs(out.real) + 0.2 * abs(out.imag)) * out
-        places = (tip, *beside(start, start + LONG * out, text, SMALL))
+        places = (tip, *label_positions(start, start + LONG * out, text, SMALL))
         sketch.labels.append(LabelRequest(text, places, name, SMALL, name=False))
     for base in _bases(setting, name):
         turn = phase(out / base)
         angle = (
-            setting.state_once(owner_of(name), "deg", degrees(abs(turn))) if FLAT < degrees(abs(turn)) <= 90.0 else ""
+            setting.state_once(owner_name(name), "deg", degrees(abs(turn))) if FLAT < degrees(abs(turn)) <= 90.0 else ""
         )
         if angle:
             begin = degrees(phase(base))
@@ -79,7 +79,7 @@ def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
 def _bases(setting: DrawingContext, name: str) -> list[complex]:
     """Return the directions from which a force's angle is measured: of the body's slides, then horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
-    ways = [unit_vector(direction) for axis in slides if abs(direction := setting.view.way(axis)) > FLAT]
+    ways = [unit_vector(direction) for axis in slides if abs(direction := setting.view.project_direction(axis)) > FLAT]
     return [sign * direction for direction in (*ways, RIGHT) for sign in (1.0, -1.0)]
 
 
@@ -134,7 +134,9 @@ def mark_at(setting: DrawingContext, force: Force, at: complex) -> tuple[str, li
     sign = _charged(setting, force.body)
     unit_charge = -1.0 if sign == NEGATIVE else 1.0
     for time in (0.0, SOON):  # of a field that grows from nothing, the way in which it points next
-        still, magnetic = (scale(unit_charge, part) for part in parts(setting, force.law, place(setting, at), time))
+        still, magnetic = (
+            scale(unit_charge, part) for part in parts(setting, force.law, world_position(setting, at), time)
+        )
         for letter, strength in (("E" if sign else "F", still), ("B", magnetic)):
             if math.hypot(*strength) > FAINT:
                 return letter, _symbol(setting, strength, at)
@@ -147,7 +149,7 @@ def parts(setting: DrawingContext, law: Law, where: Vector, time: float) -> tupl
     The magnetic field follows from the force F(v) on velocities along the page's two axes x, y and out of the page z,
     since drag is parallel to v: B = (y·F(z), z·F(x), x·F(y)).
     """
-    x, y, z = setting.view.right, setting.view.up, setting.view.towards
+    x, y, z = setting.view.right, setting.view.up, setting.view.page_normal
 
     def across(velocity: Vector, way: Vector) -> float:
         moved, rests = (law.force(where, v, time, math) for v in (velocity, ZERO))
@@ -159,12 +161,12 @@ def parts(setting: DrawingContext, law: Law, where: Vector, time: float) -> tupl
 
 def _symbol(setting: DrawingContext, strength: Vector, at: complex) -> list[Shape]:
     """Return a cross for a vector into the page, a dot for one out of it, else an arrow."""
-    out, projected = inner(setting.view.towards, strength), setting.view.way(strength)
+    out, projected = inner(setting.view.page_normal, strength), setting.view.project_direction(strength)
     if abs(projected) > abs(out):
         half = 0.5 * ARROW * unit_vector(projected)
         return [LineShape((at - half, at + half), "hair", arrow=True)]
     if out > 0.0:
-        return [Arc(at, MARK, weight="hair"), dot_at(at, 0.035)]
+        return [Arc(at, MARK, weight="hair"), axle_dot(at, 0.035)]
     a, b = MARK * complex(1, 1), MARK * complex(1, -1)
     return [LineShape((at - a, at + a), "hair"), LineShape((at - b, at + b), "hair")]
 
@@ -175,14 +177,14 @@ def _charged(setting: DrawingContext, body: str) -> str:
     return look.mark if isinstance(look, Small) else ""
 
 
-def place(setting: DrawingContext, at: complex) -> Vector:
+def world_position(setting: DrawingContext, at: complex) -> Vector:
     """Return the position in the world frame of a point of the page."""
     view = setting.view
     return add(scale(at.real / view.scale, view.right), scale(at.imag / view.scale, view.up))
 
 
 def _inside(setting: DrawingContext, region: Region, at: complex) -> bool:
-    return all(float(margin) * setting.view.scale > 0.3 for margin in region.margins(place(setting, at), math))
+    return all(float(margin) * setting.view.scale > 0.3 for margin in region.margins(world_position(setting, at), math))
 
 
 def border(setting: DrawingContext, region: Region) -> Polygon:
@@ -195,10 +197,10 @@ def border(setting: DrawingContext, region: Region) -> Polygon:
             view.at(region.center) + view.scale * region.radius * complex(math.cos(t), math.sin(t)) for t in turns
         )
     if isinstance(region, HalfSpace):
-        return _cut(page, view.way(region.normal), view.scale * region.offset)
+        return _cut(page, view.project_direction(region.normal), view.scale * region.offset)
     if isinstance(region, Slab):
         for axis, lower, most in region.sides:
-            direction = view.way(axis)
+            direction = view.project_direction(axis)
             page = _cut(page, direction, view.scale * lower)
             page = _cut(page, -direction, -view.scale * most)
         return page

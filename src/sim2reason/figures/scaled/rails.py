@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import degrees
 
 from sim2reason.figures.hanging import plate
-from sim2reason.figures.paths import flat, is_pulley, owner_of
+from sim2reason.figures.paths import flat, is_pulley, owner_name
 from sim2reason.figures.plane import RIGHT, UP, cross, unit_vector
 from sim2reason.figures.scaled.setting import BESIDE, STEEP, DrawingContext
 from sim2reason.figures.shapes import (
@@ -17,9 +17,9 @@ from sim2reason.figures.shapes import (
     LabelRequest,
     LineShape,
     Sketch,
+    axle_dot,
     corner_angle,
-    dot_at,
-    hatched,
+    hatched_line,
 )
 from sim2reason.scenes.dsl.body import BigBox, Small
 from sim2reason.scenes.dsl.mechanism import RigidBody
@@ -37,7 +37,7 @@ def rides(setting: DrawingContext, body: RigidBody) -> bool:
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
         return False
     led = len(slides) == 1 and body.parent is None and look.kind in BESIDE
-    return led and abs(setting.view.way(slides[0].axis).real) > STEEP
+    return led and abs(setting.view.project_direction(slides[0].axis).real) > STEEP
 
 
 def walls(setting: DrawingContext, point: complex, direction: complex, on: str | None = None) -> Iterator[complex]:
@@ -74,7 +74,7 @@ def _rail(setting: DrawingContext, group: list[RigidBody], sketch: Sketch) -> No
     direction, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
     faces = setting.plan.scene.builder.faces
     own = (faces.get(site.name) for site in setting.mechanism.sites if site.body == body.name)
-    along = any(to is not None and abs(cross(setting.view.way(to), direction)) < FLAT for to in own)
+    along = any(to is not None and abs(cross(setting.view.project_direction(to), direction)) < FLAT for to in own)
     cart = isinstance(look, Small) and look.kind == "cart"
     others = [((setting.at(b.name) - at) / direction).real for b in group]
     ends = [
@@ -93,7 +93,7 @@ def _rail(setting: DrawingContext, group: list[RigidBody], sketch: Sketch) -> No
 def _tilt(setting: DrawingContext, body: RigidBody, low: complex, direction: complex, sketch: Sketch) -> None:
     """Draw the angle between a rail and the horizontal at its left end, if the text states it."""
     turn = degrees(phase(direction))
-    text = setting.state_once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
+    text = setting.state_once(owner_name(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
     if text:
         sketch.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
         sketch.extend(corner_angle(low, (0.0, turn), text, body.name))
@@ -104,7 +104,7 @@ def _stops(setting: DrawingContext, group: list[RigidBody], direction: complex, 
     names = {body.name for body in group}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and meeting.b in names:
-            normal = setting.view.way(meeting.normal)
+            normal = setting.view.project_direction(meeting.normal)
             if abs(cross(normal, direction)) < FLAT:
                 yield ((meeting.distance * setting.view.scale * normal - at) / direction).real
 
@@ -135,7 +135,7 @@ def _box(setting: DrawingContext, address: str, sketch: Sketch) -> None:
         sides[side] = side * inner
     left, right = sides[-1.0], sides[1.0]
     corners = (complex(left, low), complex(right, low), complex(right, top), complex(left, top))
-    sketch.shapes[:0] = [Area(corners, "wedge"), *hatched(complex(left - 1.4, low), complex(right + 1.4, low))]
+    sketch.shapes[:0] = [Area(corners, "wedge"), *hatched_line(complex(left - 1.4, low), complex(right + 1.4, low))]
     _eyes(setting, address, sides, sketch)
     text = setting.plan.caption(address)
     size = SIZE if text == setting.plan.name(address) else SMALL
@@ -163,12 +163,12 @@ def _bends(setting: DrawingContext) -> Iterator[tuple[str, complex, complex]]:
     for line in setting.mechanism.lines:
         for (before, _), (site, after) in pairwise(pairwise(line.through)):
             if setting.owns(site) and not is_pulley(setting.plan.scene.bodies.get(site.rpartition(".")[0])):
-                a, b = _way(setting, site, before), _way(setting, site, after)
+                a, b = _string_direction(setting, site, before), _string_direction(setting, site, after)
                 if abs(cross(a, b)) > FLAT:
                     yield site, a, b
 
 
-def _way(setting: DrawingContext, site: str, other: str) -> complex:
+def _string_direction(setting: DrawingContext, site: str, other: str) -> complex:
     """Return the direction from a site to its neighbour on a string."""
     if setting.owns(other):
         return unit_vector(setting.site(other) - setting.site(site))
@@ -187,4 +187,4 @@ def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, 
     at = _axle(setting.site(site), before, after)
     if setting.mechanism.site[site].body is None:
         sketch.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)
-    sketch.shapes += [Arc(at, WHEEL), dot_at(at, 0.05)]
+    sketch.shapes += [Arc(at, WHEEL), axle_dot(at, 0.05)]

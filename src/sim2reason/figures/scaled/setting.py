@@ -48,7 +48,7 @@ class DrawingContext:
         small = [plain.at(self.place(a)) for a in self.bodies if isinstance(self.look(a), Small) and self.stands(a)]
         small += [plain.at(position) for position in self._turns()]
         largest = max((2.0 * self._bulk(a) for a in self.bodies), default=0.0)
-        seen = [plain.at(position) for position in self._places()]
+        seen = [plain.at(position) for position in self._included_positions()]
         wanted = FROM_ABOVE if plain.level else SPAN
         coils = any(isinstance(line.law, Elastic) for line in self.lines)
         size = fitting(seen or [0j], small, largest, wanted, apart=COILED if coils else NEIGHBOUR_GAP)
@@ -94,7 +94,7 @@ class DrawingContext:
 
     def velocity(self, address: str) -> complex:
         """Return the initial velocity of a body on the page, in units of the text."""
-        return self.view.way(vector(self.moving.center(address).velocity))
+        return self.view.project_direction(vector(self.moving.center(address).velocity))
 
     def axes(self, address: str) -> Axes:
         """Return the directions of a body's own axes in the world frame."""
@@ -145,13 +145,13 @@ class DrawingContext:
         """Return the width and height of a block, in units; of stacked slabs the lower one is longer."""
         look, usual = self.look(address), self.plan.sizes
         if not isinstance(look, Small) or look.kind != "slab":
-            return min(usual.width, self._near(address)), usual.height
+            return min(usual.width, self._max_block_width(address)), usual.height
         above, top = 0, address
         while (upper := next((a for a, b in self.stacked.items() if b == top), None)) is not None:
             above, top = above + 1, upper
         return SLAB_LENGTH + SLAB_STEP * above, SLAB
 
-    def _near(self, address: str) -> float:
+    def _max_block_width(self, address: str) -> float:
         """Return the largest width of a block that keeps it clear of its neighbours, in units, with a minimum."""
         look = self.look(address)
         oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in BESIDE]
@@ -175,7 +175,7 @@ class DrawingContext:
         slides = [c for c in self.mechanism.body[address].coordinates if c.kind == "slide"]
         if (face is None or face.turning) and len(slides) != 1:
             return RIGHT
-        direction = self.view.way(slides[0].axis) if slides else RIGHT
+        direction = self.view.project_direction(slides[0].axis) if slides else RIGHT
         if face is None and abs(direction.real) < STEEP:
             return RIGHT
         return (direction if direction.real >= 0.0 else -direction) / (abs(direction) or 1.0)
@@ -215,7 +215,7 @@ class DrawingContext:
         self._shown.add((owner, text))
         return text if new else ""
 
-    def _places(self) -> Iterator[Vector]:
+    def _included_positions(self) -> Iterator[Vector]:
         """Yield the positions that the drawing must include."""
         for body in self.members:
             yield self.place(body.name)

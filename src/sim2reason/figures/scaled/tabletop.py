@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 from math import ceil
 
-from sim2reason.figures.plane import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit_vector
+from sim2reason.figures.plane import RIGHT, UP, Box, Polygon, box, cross, dot, segment_distance, unit_vector
 from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.setting import DrawingContext, corners
-from sim2reason.figures.shapes import SMALL, TINY, Area, LabelRequest, LineShape, Shape, Sketch, hatched, width
+from sim2reason.figures.shapes import SMALL, TINY, Area, LabelRequest, LineShape, Shape, Sketch, hatched_line, width
 from sim2reason.scenes.dsl.body import Tabletop
 from sim2reason.scenes.dsl.measures import show_unit
 
@@ -32,7 +32,7 @@ def cushions(setting: DrawingContext) -> dict[complex, float]:
     offsets: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
-            direction = -unit_vector(setting.view.way(meeting.normal))
+            direction = -unit_vector(setting.view.project_direction(meeting.normal))
             offsets[complex(round(direction.real), round(direction.imag))] = setting.radius(meeting.b) - (
                 meeting.distance * setting.view.scale
             )
@@ -53,7 +53,7 @@ def bounding_walls(setting: DrawingContext, area: Box) -> list[Shape]:
         size = complex(0.5 * (right - left), 0.5 * (high - low))
         foot = middle + complex(direction.real * size.real, direction.imag * size.imag)
         half = direction * 1j * (abs(size.imag) if direction.real else abs(size.real))
-        shapes += hatched(foot - half, foot + half)
+        shapes += hatched_line(foot - half, foot + half)
     return shapes
 
 
@@ -66,7 +66,7 @@ CROSS = 1.0  # length of an axis without numbers
 def axes(setting: DrawingContext) -> Sketch:
     """Return the coordinate axes; an empty sketch if the text names no x or y."""
     sketch = Sketch()
-    labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
+    labels = {c.label: setting.view.project_direction(c.axis) for body in setting.members for c in body.coordinates}
     if not {"x", "y"} & labels.keys():
         if _placed(setting):
             _beside_track(setting, sketch)
@@ -92,7 +92,11 @@ def axes(setting: DrawingContext) -> Sketch:
 def _beside_track(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw an x axis below the bodies if all of them move along one straight track."""
     slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
-    ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
+    ways = {
+        complex(round(w.real, 9), round(w.imag, 9))
+        for c in slides
+        if abs(w := setting.view.project_direction(c.axis)) > 0.5
+    }
     if len(ways) != 1:
         return
     direction = unit_vector(ways.pop())
@@ -115,7 +119,7 @@ def _walls(setting: DrawingContext, direction: complex) -> Iterator[complex]:
     """Yield the points where walls cross the line through the bodies of a track."""
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
-            normal = setting.view.way(meeting.normal)
+            normal = setting.view.project_direction(meeting.normal)
             if abs(cross(normal, direction)) < LINED:
                 at = setting.at(meeting.b)
                 yield at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
@@ -186,4 +190,4 @@ def _ticks(
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
     """Return whether a tick would touch a straight arrow."""
-    return from_segment(at, arrow[0], arrow[-1]) < MARGIN + TICK
+    return segment_distance(at, arrow[0], arrow[-1]) < MARGIN + TICK

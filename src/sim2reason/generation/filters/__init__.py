@@ -221,7 +221,7 @@ FILTERS: Registry[Filter] = Registry("filters", package="sim2reason.generation.f
 
 def filter_scene(study: SimulatedScene) -> Verdict:
     """Return the verdict on a scene: the first rejection, if there is one."""
-    for name, filter_ in in_order():
+    for name, filter_ in ordered_filters():
         if isinstance(filter_, SceneFilter) and (reason := filter_.scene_reason(study)):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
@@ -229,13 +229,13 @@ def filter_scene(study: SimulatedScene) -> Verdict:
 
 def apply_filters(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """Return the verdict of all filters that need both engines (`witnessed`), or of all others: the first rejection."""
-    filters = [(name, filter_) for name, filter_ in in_order() if filter_.needs_witness == witnessed]
+    filters = [(name, filter_) for name, filter_ in ordered_filters() if filter_.needs_witness == witnessed]
     for name, filter_ in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := filter_.reason(candidate):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
 
 
-def in_order() -> list[tuple[str, Filter]]:
+def ordered_filters() -> list[tuple[str, Filter]]:
     """Return all filters with their names, in the order in which they run."""
     return sorted(FILTERS.items(), key=lambda item: (item[1].needs_witness, item[1].order, item[0]))

@@ -62,7 +62,7 @@ class Degenerate(Filter):
         if candidate.question.answer < 0.0:
             return "the answer is negative, so that a constant below zero could be right"
         answer = candidate.question.answer
-        if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
+        if abs(candidate.question.result) <= max(_smallest_result(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
         nearest = _nearest(candidate)
         if nearest is not None and abs(answer - nearest) <= candidate.tolerance * answer:  # who repeats it is paid
@@ -72,7 +72,7 @@ class Degenerate(Filter):
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the result and the least allowed one, the nearest stated number, the initial value."""
         question, nearest = candidate.question, _nearest(candidate)
-        floor = max(_least(candidate), SMALLEST * _scale(candidate))
+        floor = max(_smallest_result(candidate), SMALLEST * _scale(candidate))
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
         if nearest is not None:
             away, paid = candidate.change_to(nearest), candidate.tolerance
@@ -83,7 +83,7 @@ class Degenerate(Filter):
             yield f"just after the start it is {start:.4g}"
 
 
-def _least(candidate: Candidate) -> float:
+def _smallest_result(candidate: Candidate) -> float:
     """Return the smallest magnitude of a result that does not count as zero."""
     quantity = _asked(candidate)
     if quantity is not None:

@@ -6,14 +6,19 @@ from dataclasses import dataclass, replace
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.questions import SimulatedScene
 from sim2reason.questions.accuracy import NEARLY
-from sim2reason.questions.simplifications import MISCONCEPTIONS, Misconception, MisinterpretedMotion, in_order
+from sim2reason.questions.simplifications import (
+    MISCONCEPTIONS,
+    Misconception,
+    MisinterpretedMotion,
+    ordered_misconceptions,
+)
 from sim2reason.questions.simplifications.forces import GravityLeftOut
-from sim2reason.questions.simplifications.inertia import solid
+from sim2reason.questions.simplifications.inertia import rotatable_bodies
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
-from sim2reason.scenes.dsl.structure import with_bodies
+from sim2reason.scenes.dsl.structure import replace_bodies
 
 UNCHANGED_FRACTION = 0.02  # of the tolerance; smaller changes of an answer count as none
-LONGER = 3.0  # factor by which the simulated time is extended if the answer does not occur in time
+EXTENSION_FACTOR = 3.0  # factor by which the simulated time is extended if the answer does not occur in time
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,18 +62,18 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
     Objects named in the question are never removed or held. Omissions on which answers of this kind never depend, such
     as the initial state for a period of small oscillations, are not errors.
     """
-    for simplification in in_order():
+    for simplification in ordered_misconceptions():
         if simplification.part == part:
-            yield from effects_of(simplification, candidate)
+            yield from find_effects(simplification, candidate)
 
 
-def effects_of(simplification: Misconception, candidate: Candidate) -> Iterator[Effect]:
+def find_effects(simplification: Misconception, candidate: Candidate) -> Iterator[Effect]:
     """Yield the changes of the answer by one misconception, for each part of the scene to which it applies."""
     query, study = candidate.question.query, candidate.study
     subjects = [*simplification.subjects(query, study)]
     if not subjects or _is_beside(simplification, candidate):
         return
-    spared, until = _spared(simplification, candidate), _until(candidate)
+    spared, until = _protected_subjects(simplification, candidate), _simulated_time(candidate)
     for subject in subjects:
         if subject in spared:
             continue
@@ -79,17 +84,17 @@ def effects_of(simplification: Misconception, candidate: Candidate) -> Iterator[
             yield effect
 
 
-def far_effects(candidate: Candidate) -> Iterator[Effect]:
+def find_far_effects(candidate: Candidate) -> Iterator[Effect]:
     """Yield the changes of the answer by misconceptions that change the mechanism, with longer simulated motions.
 
     These are the most expensive effects; their answers are usually far from the correct one.
     """
     query, study = candidate.question.query, candidate.study
-    until = LONGER * _until(candidate)
+    until = EXTENSION_FACTOR * _simulated_time(candidate)
     for simplification in MISCONCEPTIONS.values():
         if isinstance(simplification, MisinterpretedMotion):
             continue
-        spared = _spared(simplification, candidate)
+        spared = _protected_subjects(simplification, candidate)
         for subject in simplification.subjects(query, study):
             if subject not in spared:
                 other = simplification.simplified(study, subject, until)
@@ -106,7 +111,7 @@ def _effect(
     return Effect(simplification, subject, answer, candidate.change_to(answer), candidate.tolerance, other)
 
 
-def _spared(simplification: Misconception, candidate: Candidate) -> set[str]:
+def _protected_subjects(simplification: Misconception, candidate: Candidate) -> set[str]:
     """Return the addresses to which a misconception is not applied: the unknown, and the subjects of the question.
 
     The empty name stands for the whole scene and is excluded.
@@ -118,7 +123,7 @@ def _spared(simplification: Misconception, candidate: Candidate) -> set[str]:
     return spared - {""}
 
 
-def _until(candidate: Candidate) -> float:
+def _simulated_time(candidate: Candidate) -> float:
     return candidate.until if candidate.until is not None else float(candidate.study.trace.state.times[-1])
 
 
@@ -134,7 +139,7 @@ def _is_of_no_motion(candidate: Candidate) -> bool:
 
 TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
 MORE = 1.1  # factor on the inertia
-BEARS = 5e-3  # relative change of the answer from which it depends on the inertia
+MIN_INERTIA_EFFECT = 5e-3  # relative change of the answer from which it depends on the inertia
 
 
 def turns_by_weight(candidate: Candidate) -> bool:
@@ -143,17 +148,17 @@ def turns_by_weight(candidate: Candidate) -> bool:
     Without weight, as in L = m v R of a rolling hoop, the answer may contain the inertia by definition. The test
     increases the inertia slightly, because without any inertia sliding bodies would roll.
     """
-    if not solid(candidate.study.mechanism):
+    if not rotatable_bodies(candidate.study.mechanism):
         return False
     other = candidate.study.changed("more inertia", _harder_to_turn, candidate.until)
-    if candidate.change(other) <= BEARS:
+    if candidate.change(other) <= MIN_INERTIA_EFFECT:
         return False
-    without = effects_of(MISCONCEPTIONS[GravityLeftOut.name], candidate)
+    without = find_effects(MISCONCEPTIONS[GravityLeftOut.name], candidate)
     return any(not effect.is_accepted for effect in without)
 
 
 def _harder_to_turn(mechanism: Mechanism) -> Mechanism:
-    return with_bodies(mechanism, solid(mechanism), _with_more)
+    return replace_bodies(mechanism, rotatable_bodies(mechanism), _with_more)
 
 
 def _with_more(body: RigidBody) -> RigidBody:
@@ -161,7 +166,7 @@ def _with_more(body: RigidBody) -> RigidBody:
     return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
 
-ALLOWED = {"easy": 0, "medium": 0, "hard": 1}
+MAX_DISTRACTIONS = {"easy": 0, "medium": 0, "hard": 1}
 
 
 class Shortcut(Filter):
@@ -176,7 +181,7 @@ class Shortcut(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if too many parts of the scene hardly change the answer when held fixed or omitted."""
         idle = dict[str, Effect]()
-        allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
+        allowed = MAX_DISTRACTIONS[candidate.difficulty] if candidate.question.formula is None else 0
         for effect in effects(candidate, part=True):
             if not effect.is_accepted:
                 continue

@@ -6,14 +6,14 @@ from itertools import product
 from math import cos, isclose, log, pi, prod, radians, sin, sqrt, tan
 
 from sim2reason.generation.filters import Candidate
-from sim2reason.generation.filters.sensitivity import SHIFT, givens, shifted
+from sim2reason.generation.filters.sensitivity import SHIFT, givens, simulate_shifted
 from sim2reason.questions import Question
 from sim2reason.scenes.dsl.units import parse_unit
 
 PRODUCT_RTOL = 1e-5  # relative deviation between the product and the answer
 POWER_TOLERANCE = 5.0 * SHIFT  # deviation of a measured power from a multiple of one half
 ZERO_POWER = 2e-3  # smaller powers count as zero
-FAR = 5.0  # degrees by which an angle is changed to test the function of it
+TEST_ANGLE = 5.0  # degrees by which an angle is changed to test the function of it
 HIGHEST = 2.0  # power
 SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their reciprocals
 ANGLE = "deg"
@@ -45,13 +45,13 @@ class Factor:
     power: float
 
 
-def product_of(candidate: Candidate) -> str:
+def find_product(candidate: Candidate) -> str:
     """Return the product of stated numbers that equals the answer, in a few words; empty if there is none."""
     question = candidate.question
     views = VIEWS if question.unit == ANGLE else {"": float}
     scale = 1.0 if question.unit == ANGLE else parse_unit(question.unit).factor
     for name, view in views.items():
-        factors = factors_of(candidate, view)
+        factors = find_factors(candidate, view)
         if not factors:
             continue
         for total in _products(factors, candidate, view):
@@ -99,7 +99,7 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
     """Return whether the answer changes in proportion to a function of an angle if the angle is changed by 5°."""
     if not angle.path:
         return True
-    rotation = turned(candidate, angle)
+    rotation = change_angle(candidate, angle)
     if rotation is None:
         return False
     turn, there = rotation
@@ -107,10 +107,10 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
     return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=POWER_TOLERANCE)
 
 
-def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
+def change_angle(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
     """Return the change of an angle by 5°, rad, and the answer after it; None if there is no answer for either sign."""
     study = candidate.study
-    for turn in (FAR, -FAR):
+    for turn in (TEST_ANGLE, -TEST_ANGLE):
         values = {angle.path: float(study.scene.value(angle.path)) + turn}
         there = candidate.response(study.with_values(values, candidate.until))
         if there is not None:
@@ -128,11 +128,11 @@ def _halves(power: float) -> int | None:
     )
 
 
-def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
+def find_factors(candidate: Candidate, view: View) -> list[Factor] | None:
     """Return the numbers on which the answer depends, with powers; None for a vector or a missing answer."""
     study, question, factors = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.left_open):
-        other = shifted(study, given, candidate.until)
+        other = simulate_shifted(study, given, candidate.until)
         there = candidate.response(other)
         if other is None or there is None:
             return None
@@ -141,7 +141,7 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
         power = _power(view(question.answer), view(there), new / here)
         if power is None or (power and len(given.paths) > 1):
             return None
-        factors.append(Factor(first, given.unit, _in_si(here, given.unit), power))
+        factors.append(Factor(first, given.unit, _to_si(here, given.unit), power))
     own = _of_question(candidate, view)
     return [factor for factor in (*factors, *own) if factor.power] if own is not None else None
 
@@ -152,7 +152,7 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
         own = question.given
-        factors.append(Factor("", own.unit, _in_si(own.value, own.unit), rate))
+        factors.append(Factor("", own.unit, _to_si(own.value, own.unit), rate))
     moment = question.query.moment
     if moment is None:
         return factors
@@ -166,7 +166,7 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
         if power is None:
             return None
         power = -power * rate if question.unknown else power
-        factors.append(Factor("", unit, _in_si(number, unit), power))
+        factors.append(Factor("", unit, _to_si(number, unit), power))
     return factors
 
 
@@ -184,6 +184,6 @@ def _power(here: float, there: float, factor: float) -> float | None:
     return power if abs(power) > ZERO_POWER else 0.0
 
 
-def _in_si(value: float, unit: str) -> float:
+def _to_si(value: float, unit: str) -> float:
     """Return a number in SI units; an angle in radians."""
     return value * parse_unit(unit).factor

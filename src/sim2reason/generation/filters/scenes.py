@@ -14,8 +14,8 @@ from sim2reason.scenes.dsl.magnitudes import (
     Span,
     implausible_numbers,
     implausible_spring_lengths,
+    is_outside,
     natural_lengths,
-    outside,
 )
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
@@ -214,7 +214,7 @@ class PlausibleOutcome(Filter):
 def _implausible(what: str, value: float, unit: str, mechanism: Mechanism) -> Iterator[str]:
     name = parse_unit(unit).name
     span = (FLIGHT if mechanism.burns else BENCH).get(name)
-    if span is not None and outside(value, span):
+    if span is not None and is_outside(value, span):
         yield f"{what} is {join_unit(f'{value:.3g}', name)}"
 
 

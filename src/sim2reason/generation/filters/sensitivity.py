@@ -84,7 +84,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     before = study.trace.story(candidate.time)
     used = _used(candidate)
     for given in sorted(givens(study.scene, candidate.question.left_open), key=lambda g: not used.isdisjoint(g.paths)):
-        other = shifted(study, given, candidate.until)
+        other = simulate_shifted(study, given, candidate.until)
         answer = candidate.response(other)
         if other is None or answer is None:
             yield Elasticity(given, 0.0, reordered=True)
@@ -123,7 +123,7 @@ def matters(candidate: Candidate, elasticity: Elasticity) -> bool:
     return False
 
 
-def shifted(study: SimulatedScene, given: Given, until: float | None) -> SimulatedScene | None:
+def simulate_shifted(study: SimulatedScene, given: Given, until: float | None) -> SimulatedScene | None:
     """Return the motion after a number is shifted by 0.1 %, downwards if upwards is invalid; None if neither is valid.
 
     The components of a vector are shifted in opposite directions, which rotates it.
@@ -138,7 +138,7 @@ def shifted(study: SimulatedScene, given: Given, until: float | None) -> Simulat
 MIN_SINGLE_BODY = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter if one body moves
 MIN_SEVERAL_BODIES = {"easy": 3, "medium": 3, "hard": 4}  # numbers that must matter if several bodies move
 PARTS = 2  # of several bodies, the number that must have a relevant number
-EVER = 0.4  # largest fraction of stated numbers that may be irrelevant, even if marked
+MAX_IDLE_SHARE = 0.4  # largest fraction of stated numbers that may be irrelevant, even if marked
 MASS = "kg"
 
 
@@ -202,7 +202,7 @@ class Sensitivity(Filter):
         for elasticity in elasticities(candidate):
             if elasticity.given in given:
                 (moving if matters(candidate, elasticity) else idle).append(elasticity.given)
-            if len(idle) > EVER * total:
+            if len(idle) > MAX_IDLE_SHARE * total:
                 return f"idle numbers: {_paths(idle)}"
             unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
             if not counted and len(unmarked) > MAX_IDLE_FRACTION[candidate.difficulty] * len(given):
@@ -226,18 +226,18 @@ def _paths(numbers: list[Given]) -> str:
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
     """Return whether a change of a number cannot change answers of this kind, such as of the amplitude for a period."""
-    other = shifted(candidate.study, given, candidate.until)
+    other = simulate_shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
 
 def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
     """Return the addresses of numbers that may cancel: the subject's mass and charge, and its radius if it rolls."""
-    body = _lone(mechanism, subject)
+    body = _rigid_mass(mechanism, subject)
     rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
     return {f"{body}.mass", f"{body}.charge", *([f"{body}.radius"] if rolls else [])}
 
 
-def _lone(mechanism: Mechanism, subject: str) -> str:
+def _rigid_mass(mechanism: Mechanism, subject: str) -> str:
     """Return the only body with mass that moves rigidly with the subject, such as a pendulum bob; else the subject."""
     frame = _carrier(mechanism, subject)
     names = [body.name for body in mechanism.bodies if body.mass and _carrier(mechanism, body.name) == frame]

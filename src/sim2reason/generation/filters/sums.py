@@ -14,8 +14,8 @@ from sim2reason.generation.filters.products import (
     PRODUCT_RTOL,
     Factor,
     View,
-    factors_of,
-    turned,
+    change_angle,
+    find_factors,
 )
 from sim2reason.scenes.dsl.units import parse_unit
 
@@ -24,11 +24,11 @@ ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
 HIGHEST = 4.0  # power of a number in a product
 TURNED = 1e-4  # relative deviation of the sum from the answer when an angle is changed
 SHARE_TOLERANCE = 0.02  # relative accuracy of a measured share
-TRIED = 256  # distributions of the numbers over the terms, at most
+MAX_ASSIGNMENTS = 256  # distributions of the numbers over the terms, at most
 SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
 
 
-class _Place(NamedTuple):
+class _TermPowers(NamedTuple):
     """A number, or a function of it, with its exponents in the first and in the second of two products."""
 
     factor: Factor
@@ -37,19 +37,19 @@ class _Place(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """Return the number's factors in the first and second product, after its angle is turned by `turned`, rad."""
+        """Return the number's factors in the first and second product, after its angle is turned by `change_angle`, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 
 
-Terms = Sequence[_Place]
-_Way = tuple[View, float, float | None]
+Terms = Sequence[_TermPowers]
+_NumberFunction = tuple[View, float, float | None]
 
 
-def sum_of(candidate: Candidate) -> str:
+def find_sum(candidate: Candidate) -> str:
     """Return in a few words the sum of two products of stated numbers that equals the answer; empty if none does."""
     question = candidate.question
-    factors = factors_of(candidate, float) if question.unit != ANGLE else None
+    factors = find_factors(candidate, float) if question.unit != ANGLE else None
     if not factors or not 2 < len(factors) <= MAX_NUMBERS:
         return ""
     value = abs(question.answer) * parse_unit(question.unit).factor
@@ -81,7 +81,7 @@ def _simple(term: float, part: float) -> list[float]:
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
     """Return whether the sum still equals the answer when an angle changes, since 60° alone is ambiguous."""
     for angle in (term.factor for term in terms if term.factor.unit == ANGLE and term.factor.path):
-        rotation = turned(candidate, angle)
+        rotation = change_angle(candidate, angle)
         if rotation is None:
             return False
         turn, there = rotation
@@ -103,7 +103,7 @@ def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Term
             for halves in range(1, round(2.0 * HIGHEST) + 1):
                 for share in (2.0 * root * mixed.power / (sign * halves * slope) for sign in (1.0, -1.0)):
                     places = [*takewhile(bool, (_places(*each, share) for each in ways))]
-                    if len(places) == len(factors) and prod(map(len, places)) <= TRIED:
+                    if len(places) == len(factors) and prod(map(len, places)) <= MAX_ASSIGNMENTS:
                         yield from ((share, each) for each in product(*places))
 
 
@@ -118,13 +118,13 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
     return sum(factor * term for factor, term in zip(front, _multiplied(values), strict=True))
 
 
-def _ways(factor: Factor, root: float) -> list[_Way]:
+def _ways(factor: Factor, root: float) -> list[_NumberFunction]:
     """Return the possible functions of a number, each with the answer's power in it and the nearest multiple of ½."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
     return [(function, power, _half(power, POWER_TOLERANCE)) for function, power in powers]
 
 
-def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
+def _places(factor: Factor, ways: Sequence[_NumberFunction], share: float) -> list[_TermPowers]:
     """Return the possible exponents of a number in two products, for a given share of the first in their sum.
 
     A number may occur in one term, in both, or with a higher power in one, as k does in √(k² d² + k m v²).
@@ -140,7 +140,9 @@ def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
                 exponents.append((function, (one + shared, shared)))
             if other:
                 exponents.append((function, (shared, other + shared)))
-    return [_Place(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in exponents]
+    return [
+        _TermPowers(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in exponents
+    ]
 
 
 def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:

@@ -25,7 +25,7 @@ class HiddenNumbers(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if the answer changes when all hidden lengths are at their minimum."""
         answer, query, kind = candidate.question.answer, candidate.question.query, candidate.kind
-        tight = _tight(candidate)
+        tight = _tight_motion(candidate)
         if tight is candidate.study:
             return ""
         if tight is None:
@@ -42,14 +42,14 @@ class HiddenNumbers(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the answer for which all hidden lengths are at their minimum."""
-        tight = _tight(candidate)
+        tight = _tight_motion(candidate)
         again = candidate.response(tight) if tight is not candidate.study else None
         if again is not None:
             change = f"{candidate.change_to(again):.1e} of it away; {UNCHANGED_RTOL:g} is allowed"
             yield f"with hidden lengths as short as may be the answer is {again:.4g}, {change}"
 
 
-def _tight(candidate: Candidate) -> SimulatedScene | None:
+def _tight_motion(candidate: Candidate) -> SimulatedScene | None:
     """Return the motion with hidden lengths at their minimum; None if there is none."""
     study = candidate.study
     shorter = with_minimum_lengths(study.scene)

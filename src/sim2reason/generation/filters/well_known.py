@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.generation.filters.misconceptions import TURNS, turns_by_weight
-from sim2reason.generation.filters.products import product_of
-from sim2reason.generation.filters.sensitivity import EVER, minimum_relevant
-from sim2reason.generation.filters.sums import sum_of
+from sim2reason.generation.filters.products import find_product
+from sim2reason.generation.filters.sensitivity import MAX_IDLE_SHARE, minimum_relevant
+from sim2reason.generation.filters.sums import find_sum
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions import Solution
 from sim2reason.solutions.algebra.expressions import Expression, Product, Sum, Symbol
@@ -25,7 +25,7 @@ def size(expression: Expression) -> int:
 
     The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
-    shortest = parted(factor_terms(_with_lengths(expression), symbols_in))
+    shortest = parted(factor_terms(_substitute_lengths(expression), symbols_in))
     return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))
 
 
@@ -45,10 +45,14 @@ def _again(expression: Expression, seen: set[Expression]) -> Iterator[Expression
         seen.add(expression)
 
 
-def _with_lengths(expression: Expression) -> Expression:
+def _substitute_lengths(expression: Expression) -> Expression:
     if is_vector(expression) and all(_is_given(part) for term in expression.parts[0].parts for part in term.parts):
         return LENGTH
-    return expression.built_of([_with_lengths(part) for part in expression.parts]) if expression.parts else expression
+    return (
+        expression.built_of([_substitute_lengths(part) for part in expression.parts])
+        if expression.parts
+        else expression
+    )
 
 
 def _is_given(component: Expression) -> bool:
@@ -167,7 +171,9 @@ class FewSymbols(Filter):
         wanted, total = minimum_relevant(candidate), len(formula.symbols)
         if len(formula.within) < wanted:
             return f"{len(formula.within)} symbols of {wanted}"
-        return f"idle symbols: {len(formula.without)} of {total}" if len(formula.without) > EVER * total else ""
+        return (
+            f"idle symbols: {len(formula.without)} of {total}" if len(formula.without) > MAX_IDLE_SHARE * total else ""
+        )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: how many of the text's symbols occur in the formula, and how many do not."""
@@ -175,7 +181,7 @@ class FewSymbols(Filter):
         if formula is not None:
             required = minimum_relevant(candidate)
             yield f"{len(formula.within)} symbols of bodies and of the question; {required} must be there"
-            yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {EVER:.0%} may be"
+            yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {MAX_IDLE_SHARE:.0%} may be"
 
 
 FILTERS.add("few symbols", FewSymbols())
@@ -195,13 +201,15 @@ class OneLine(Filter):
         """Return a reason if the answer equals a simple product or sum of stated numbers."""
         if candidate.easy or candidate.kind.measured(candidate.question.query).whole:
             return ""
-        line = product_of(candidate) or sum_of(candidate)
+        line = find_product(candidate) or find_sum(candidate)
         return "" if line and turns_by_weight(candidate) else line
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the product or sum that equals the answer, if any."""
         yield (
-            product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
+            find_product(candidate)
+            or find_sum(candidate)
+            or "the answer is no product of stated numbers, nor a sum of two"
         )
         if turns_by_weight(candidate):
             yield TURNS

@@ -75,7 +75,7 @@ class FormulaValidity:
         assumed = self.assumed(magnitude, rng, words)
         if not assumed:
             return magnitude, assumed
-        among = [other.values for other in (*self._near, *self._wide) if not self._leaving_out(other, assumed)]
+        among = [other.values for other in (*self._near, *self._wide) if not self._violated_regimes(other, assumed)]
         plainer = formula.of_sizes(among)
         return (plainer if self.assumed(plainer, rng, words) == assumed else magnitude), assumed
 
@@ -131,7 +131,7 @@ class FormulaValidity:
         excluding: list[set[Regime]] = []
         for other in self._widely(formula.expression, rng):
             if not self._agrees(formula.expression, other):
-                excluding.append(self._leaving_out(other, kept))
+                excluding.append(self._violated_regimes(other, kept))
                 if not excluding[-1]:
                     return None
         chosen = self._fewest(kept, excluding)
@@ -139,7 +139,7 @@ class FormulaValidity:
             matters = chosen is not None and (regime.unseen or any(regime in left for left in excluding))
             other = self._leaving(regime, chosen) if chosen is not None and matters else None
             if other is not None and not self._agrees(formula.expression, other):
-                excluding.append(self._leaving_out(other, kept))
+                excluding.append(self._violated_regimes(other, kept))
                 chosen = self._fewest(kept, excluding)
         return chosen
 
@@ -161,13 +161,13 @@ class FormulaValidity:
         return None
 
     @staticmethod
-    def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
+    def _violated_regimes(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
         """Return the assumptions that a scene does not satisfy."""
         return {regime for regime in kept if not regime.holds(other.study, other.until)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
         """Return whether a formula fails in a scene although the scene satisfies all stated assumptions."""
-        return not self._leaving_out(other, told) and not self._agrees(formula, other)
+        return not self._violated_regimes(other, told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
         """Return a scene that violates one assumption, or nearly does, but satisfies the stated ones.
@@ -177,7 +177,7 @@ class FormulaValidity:
         if held in told or (held, tuple(told)) in self._left:
             return None
         self._left.add((held, tuple(told)))
-        among = [other for other in self._wide if not self._leaving_out(other, told)]
+        among = [other for other in self._wide if not self._violated_regimes(other, told)]
         if not all(held.holds(other.study, other.until) for other in among):
             return None
         corner = find_corner(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
@@ -200,8 +200,8 @@ class FormulaValidity:
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR_WIDTHS[-1], ACROSS),
-            self._variations.turned(rng, (formula, *self._whole), WIDE, self._unanswered),
-            self._variations.one_by_one(WIDE, self._unanswered),
+            self._variations.draw_turned(rng, (formula, *self._whole), WIDE, self._unanswered),
+            self._variations.vary_one_by_one(WIDE, self._unanswered),
             self._variations.mirrored(rng, WIDE),
             self._variations.widely(rng, WIDE, self._unanswered),
         )

@@ -16,11 +16,11 @@ from sim2reason.questions import (
     SimulatedScene,
     Suits,
     Words,
-    anything,
+    accepts_any_query,
     mode,
 )
 from sim2reason.questions.kinds import kinds_by_share
-from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.phrasing import draw_sentence, sentence
 from sim2reason.questions.query import targets
 from sim2reason.questions.sentences import parse_question
 
@@ -35,16 +35,16 @@ class Numeric(QuestionMode):
     weights: ClassVar[Mapping[str, float]] = {"limit": 0.1}  # few limits hang on numbers that no simpler question has
 
     def ask(
-        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = accepts_any_query
     ) -> Question | None:
         """Return a random suitable question of a kind with a finite answer, or None."""
         questions = (
-            self._asked(question_kind, study, words, rng, suits)
+            self._ask_query(question_kind, study, words, rng, suits)
             for question_kind in ([KINDS[kind]] if kind else kinds_by_share(rng))
         )
         return next((question for question in questions if question is not None), None)
 
-    def _asked(
+    def _ask_query(
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         offered = targets(words)
@@ -63,7 +63,7 @@ class Numeric(QuestionMode):
         shapes = kind.shapes(query, words, offered[target] if target is not None else None)
         sign = target.sense.positive if target is not None and target.sense is not None else ""
         unit = words.units.spell(kind.measured(query).unit)
-        return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
+        return Question(self.name, query, sentence(draw_sentence(shapes, rng)), answer, unit, sign, query.hides)
 
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a query in the words of its kind; a number that the text leaves unknown must be its target."""

@@ -16,7 +16,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Sum
 from sim2reason.solutions.algebra.functions import array_values
 from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
-from sim2reason.text.prose.description import factor
+from sim2reason.text.prose.description import formula_unit_factor
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class ProblemSymbol:
 
     def counted(self, value: float) -> float:
         """Return a value in the units of formulas: radians for degrees, metres for kilometres."""
-        return value * factor(self.unit)
+        return value * formula_unit_factor(self.unit)
 
 
 @dataclass(frozen=True)
@@ -83,15 +83,15 @@ def answered(query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Query
     return study, query, answer
 
 
-def sums_in(expression: Expression) -> Iterator[Sum]:
+def find_sums(expression: Expression) -> Iterator[Sum]:
     """Yield all sums in a formula."""
     if isinstance(expression, Sum):
         yield expression
     for part in expression.parts:
-        yield from sums_in(part)
+        yield from find_sums(part)
 
 
-def sign_of(expression: Expression, at: Mapping[str, float]) -> float | None:
+def find_sign(expression: Expression, at: Mapping[str, float]) -> float | None:
     """Return the sign of a formula's value, 1 or -1; None where it has no value."""
     try:
         return copysign(1.0, expression.value(at).real)
@@ -121,14 +121,14 @@ def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str)
     if expression is None:
         return None
     symbol, formula = words.symbols[path], expression
-    given = factor(next(p.measure.unit for p in study.scene.parameters if p.path == path))
-    wanted = factor(KINDS[query.kind].measured(query).unit)
+    given = formula_unit_factor(next(p.measure.unit for p in study.scene.parameters if p.path == path))
+    wanted = formula_unit_factor(KINDS[query.kind].measured(query).unit)
 
     return lambda value: likely_answer(formula, {**solution.values, symbol: given * value}, wanted)
 
 
 def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
-    """Return the value of a formula in the answer's unit (`factor`); 0 if undefined."""
+    """Return the value of a formula in the answer's unit (`formula_unit_factor`); 0 if undefined."""
     with suppress(ValueError, ArithmeticError):
         return formula.value(at).real / factor
     return 0.0

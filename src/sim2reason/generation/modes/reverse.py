@@ -19,15 +19,15 @@ from sim2reason.questions import (
     StatedResult,
     Suits,
     Words,
-    anything,
+    accepts_any_query,
     mode,
 )
 from sim2reason.questions.conditions import UniquenessScan, asking_for
-from sim2reason.questions.dependence import STEP, AnswerFunction, with_long_strings
+from sim2reason.questions.dependence import STEP, AnswerFunction, lengthen_strings
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.moments.reached import Reached
-from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.phrasing import draw_sentence, sentence
 from sim2reason.questions.query import Target, targets
 from sim2reason.questions.sentences import plainly
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR
@@ -59,18 +59,18 @@ class Reverse(QuestionMode):
         return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
 
     def ask(
-        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = accepts_any_query
     ) -> Question | None:
         """Return a question with a result of this motion and an unknown number, or time, that it determines."""
         if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng, suits)
         questions = (
-            self._asked(question_kind, study, words, rng, suits)
+            self._ask_query(question_kind, study, words, rng, suits)
             for question_kind in ([KINDS[kind]] if kind else kinds_by_share(rng))
         )
         return next((question for question in questions if question is not None), None)
 
-    def _asked(
+    def _ask_query(
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         for _ in range(DRAWS if asked.stated else 0):
@@ -83,7 +83,7 @@ class Reverse(QuestionMode):
             unit = words.units.spell(asked.measured(query).unit)
             exact = StatedResult.rounded(result, unit, EXACT)
             attempted = False
-            for unknown in draw_unknowns(_besides(query, words), study.scene, rng):
+            for unknown in draw_unknowns(_possible_unknowns(query, words), study.scene, rng):
                 if exact is None or not suits(query, unknown.path, exact):
                     continue
                 attempted = True
@@ -115,7 +115,7 @@ class Reverse(QuestionMode):
             return None
         given, answer, elasticity = fixed
         query = kind.with_likely_answer(query, given.value)
-        text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
+        text = sentence(draw_sentence(asking_for(unknown, query, given, words, _noun(query, words)), rng))
         return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
     def study(self, question: Question, study: SimulatedScene) -> SimulatedScene:
@@ -149,7 +149,7 @@ class Reverse(QuestionMode):
                 if any(other.path not in (unknown.path, query.hides) for other in words.unknowns):
                     continue
                 noun = _noun(query, words)
-                for given in dict.fromkeys(StatedResult.found(text, unit)):
+                for given in dict.fromkeys(StatedResult.find_in_text(text, unit)):
                     if any(sentence(shape) == text for shape in asking_for(unknown, query, given, words, noun)):
                         return ParsedQuestion(self.name, query, given)
         for moment in Reached.parsed(text, study.trace, words) if not words.unknowns else ():
@@ -162,14 +162,14 @@ class Reverse(QuestionMode):
         """Return the only value of the unknown for which the stated result occurs; None if there is not exactly one."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
-        for unknown in _besides(asked.query, words):
+        for unknown in _possible_unknowns(asked.query, words):
             values = values_giving(asked.query, asked.given.value, unknown, study)
             return values[0] if len(values) == 1 else None
         return None
 
     def lacking(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> str:
         """Return why the stated result fixes no value of the unknown number: none gives it, or several do."""
-        unknown = next(iter(_besides(asked.query, words)), None)
+        unknown = next(iter(_possible_unknowns(asked.query, words)), None)
         if asked.given is None or unknown is None or isinstance(asked.query.moment, Reached):
             return super().lacking(asked, study, words)
         return why_not_one(unknown, values_giving(asked.query, asked.given.value, unknown, study), study.scene)
@@ -182,7 +182,7 @@ def why_undetermined(question: Question, study: SimulatedScene, words: Words) ->
     """
     if question.given is None or not question.unknown:
         return ""
-    scene = with_long_strings(study.scene)
+    scene = lengthen_strings(study.scene)
     likely = likely_answers(question.query, study, words, question.unknown)
     fine = AnswerFunction(question.query, study, question.unknown, EXACT_STEP_ERROR, scene, likely)
     if scene is study.scene:
@@ -191,22 +191,22 @@ def why_undetermined(question: Question, study: SimulatedScene, words: Words) ->
         fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE_STEP_ERROR)
     )
     values = range_of(study.scene, question.unknown, question.answer)
-    edge = scan.edge(values)
+    edge = scan.find_missing_answer(values)
     if edge is not None:
         return f"edge: at {edge:.3g} {question.unit} there is no result"
-    other = scan.another(values)
+    other = scan.find_other_root(values)
     if other is not None and fine.is_late(other):
         return f"late: at {other:.3g} {question.unit} it comes after the motion that is followed, if it does"
     if other is not None:
         return f"another: {other:.3g} {question.unit} is not excluded"
-    end = scan.end(values)
+    end = scan.find_extrapolated_root(values)
     if end is not None:
         return f"end: behind {end:.3g} {question.unit} there may be another number"
-    far = scan.far(far_from(values, question.answer, question.unit))
+    far = scan.find_distant_root(far_from(values, question.answer, question.unit))
     return f"far: {far:.3g} {question.unit} is not excluded, or a number before it" if far is not None else ""
 
 
-def _besides(query: Query, words: Words) -> list[Unknown]:
+def _possible_unknowns(query: Query, words: Words) -> list[Unknown]:
     """Return the numbers that may be the unknown, except the one whose limit the query itself asks for.
 
     Numbers with the same symbol as that one are excluded too.
@@ -237,7 +237,7 @@ def _fixed(
 
 def _stated(text: str, study: SimulatedScene, words: Words) -> Iterator[tuple[Query, str]]:
     """Yield all queries whose result a sentence could state, each with the unit of its answer."""
-    named = {target: noun for target, noun in targets(words).items() if noun.heard(text)}
+    named = {target: noun for target, noun in targets(words).items() if noun.occurs_in(text)}
     for kind in KINDS.values():
         for query in dict.fromkeys(kind.parsed(text, study, words, named)):
             yield query, words.units.spell(kind.measured(query).unit)
@@ -256,15 +256,15 @@ def _asking_when(study: SimulatedScene, words: Words, rng: np.random.Generator, 
     query = Query("time_to_event", None, Reached(drawn.target, given))
     answer = KINDS[query.kind].answer(query, study)
     fixed = answer is not None and abs(answer - time) <= ANSWER_RTOL * time
-    if answer is None or not fixed or _nearly_before(drawn.target, given, answer, study):
+    if answer is None or not fixed or _comes_close_before(drawn.target, given, answer, study):
         return None
     if not suits(query, "", given):
         return None
-    text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
+    text = sentence(draw_sentence(KINDS[query.kind].shapes(query, words, None), rng))
     return Question("reverse", query, text, answer, words.units.time, given=given)
 
 
-def _nearly_before(target: Target, given: StatedResult, time: float, study: SimulatedScene) -> bool:
+def _comes_close_before(target: Target, given: StatedResult, time: float, study: SimulatedScene) -> bool:
     """Return whether a quantity already comes close to its stated value before the time when it reaches it."""
     scan = study.trace.scan
     away = np.abs(target.values(scan)[scan.times < time] - given.value)

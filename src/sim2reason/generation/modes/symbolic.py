@@ -20,12 +20,12 @@ from sim2reason.questions import (
     SimulatedScene,
     Suits,
     Words,
-    anything,
+    accepts_any_query,
     mode,
 )
 from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.kinds.nested import NestedQuery
-from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.phrasing import draw_sentence, sentence
 from sim2reason.questions.query import targets
 from sim2reason.questions.regimes import Regime, possible
 from sim2reason.questions.sentences import parse_question
@@ -37,7 +37,7 @@ from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.strategies import applicable_strategies
-from sim2reason.text.prose.description import Description, factor, with_names
+from sim2reason.text.prose.description import Description, formula_unit_factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
 
 ASSUME = "Assume that "
@@ -59,7 +59,7 @@ def assuming(assumed: Sequence[Regime], words: Words) -> str:
     return f"{ASSUME}{', that '.join(clauses[:-1])}, and that {clauses[-1]}."
 
 
-def assumed_in(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regime, ...] | None:
+def parse_assumptions(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regime, ...] | None:
     """Return the assumptions that a sentence states about a scene; None if it is not such a sentence."""
     clauses = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
     regimes = possible(study, words)
@@ -80,22 +80,22 @@ def split_assumptions(text: str) -> tuple[str, str]:
 def _clause(regime: Regime, before: Sequence[Regime], beside: Sequence[Regime], words: Words) -> str:
     clause, subject = regime.clause_beside(words, beside), _subject(regime, words)
     same = bool(before) and subject and subject == _subject(before[-1], words)
-    return _with_it(clause, subject) if same else clause
+    return _replace_subject(clause, subject) if same else clause
 
 
 def _forms(regime: Regime, words: Words) -> Iterator[str]:
     for clause in (regime.clause(words), regime.short_clause(words)):
         yield clause
-        yield _with_it(clause, _subject(regime, words))
+        yield _replace_subject(clause, _subject(regime, words))
 
 
 def _subject(regime: Regime, words: Words) -> str:
     """Return the name of the body with which a clause begins; empty without a single body."""
-    called = words.called(regime.of).get(regime.name, "")
+    called = words.subject_phrases(regime.of).get(regime.name, "")
     return called if called and regime.clause(words).startswith(f"{called} ") else ""
 
 
-def _with_it(clause: str, subject: str) -> str:
+def _replace_subject(clause: str, subject: str) -> str:
     return f"it{clause.removeprefix(subject)}" if subject else clause
 
 
@@ -120,7 +120,7 @@ class Symbolic(QuestionMode):
         return not self.kinds.isdisjoint(_formulas(mechanism))
 
     def ask(
-        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = accepts_any_query
     ) -> Question | None:
         """Return a question, still in numbers, for which some strategy derives a formula; else None.
 
@@ -149,14 +149,14 @@ class Symbolic(QuestionMode):
         """Return the question with its formula and assumptions; None if no formula agrees with the engine."""
         moment = question.query.moment
         query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
-        symbolic_words = _spoken(words, query)
+        symbolic_words = _symbolic_words(words, query)
         expression = _derived(query, study, words)
         if symbolic_words is None or expression is None:
             return None
         symbols = _symbols(study, symbolic_words, query.hides)
         if not {stated.symbol for stated in symbols}.issuperset(expression.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        times = factor(question.unit)
+        times = formula_unit_factor(question.unit)
         varied = FormulaValidity(Variations(study, query, symbols, expression, times), times)
         if not varied.of_scene(expression):
             return None
@@ -165,7 +165,7 @@ class Symbolic(QuestionMode):
             return None
         closed_form, assumed = stated
         noun = targets(words)[query.target] if query.target is not None else None
-        question_text = sentence(chosen(KINDS[query.kind].shapes(query, symbolic_words, noun), rng))
+        question_text = sentence(draw_sentence(KINDS[query.kind].shapes(query, symbolic_words, noun), rng))
         text = f"{question_text} {assuming(assumed, symbolic_words)}" if assumed else question_text
         return replace(question, query=query, text=text, formula=varied.formula(closed_form, symbols), assumed=assumed)
 
@@ -184,7 +184,7 @@ class Symbolic(QuestionMode):
             return None
         if not assumed:
             return ParsedQuestion(self.name, query)
-        assumptions = assumed_in(assumed, study, words)
+        assumptions = parse_assumptions(assumed, study, words)
         return ParsedQuestion(self.name, query, assumed=assumptions) if assumptions is not None else None
 
     def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
@@ -206,7 +206,7 @@ def _derived(query: Query, study: SimulatedScene, words: Words) -> Expression | 
 
 
 def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression | None:
-    symbolic_words = _spoken(words, query)
+    symbolic_words = _symbolic_words(words, query)
     if symbolic_words is None:
         return None
     setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
@@ -228,7 +228,7 @@ def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression
         return None
 
 
-def _spoken(words: Words, query: Query) -> Words | None:
+def _symbolic_words(words: Words, query: Query) -> Words | None:
     """Return the words of a text with symbols for the numbers in the question; None if one has no symbol."""
     clock = set[str]() if words.released else {"t"}  # of a text that speaks of t = 0
     own, taken = dict[str, OwnSymbol](), clock.union(words.symbols.values())

@@ -13,13 +13,13 @@ from sim2reason.generation.modes.problem_formula import (
     ProblemSymbol,
     Variation,
     answered,
+    find_sign,
+    find_sums,
     likely_answer,
-    sign_of,
-    sums_in,
     turns,
 )
 from sim2reason.questions import KINDS, Query, SimulatedScene
-from sim2reason.questions.dependence import with_long_strings
+from sim2reason.questions.dependence import lengthen_strings
 from sim2reason.questions.study import EXACT_STEP_ERROR, SHORTEST, TIME_MARGIN
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
@@ -28,7 +28,7 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 from sim2reason.solutions.algebra.expressions import Expression
 
-LATER = 3.0  # factor on the time of an event within which it is awaited in variations
+WAIT_FACTOR = 3.0  # factor on the time of an event within which it is awaited in variations
 LATEST = 4.0  # times that, after which the event is considered absent
 LOOKED, EACH = 240, 2  # numbers at which signs of sums are evaluated; uses of each sign change
 WIDELY = (160, 40), (24, 24)  # numbers tried and answers found, at most; second pair: if the motion is integrated
@@ -53,7 +53,9 @@ class Variations:
         """Return the problem with its own numbers; None if it has no answer."""
         outcome = answered(self.query, self.study)
         return (
-            None if outcome is None else Variation(self._counted([symbol.value for symbol in self.symbols]), *outcome)
+            None
+            if outcome is None
+            else Variation(self._in_formula_units([symbol.value for symbol in self.symbols]), *outcome)
         )
 
     def drawn(
@@ -63,8 +65,8 @@ class Variations:
 
         Motions without an answer are added to `unanswered`.
         """
-        for values in self._around([symbol.value for symbol in self.symbols], rng, width, tries):
-            variation = self._at(values, unanswered)
+        for values in self._draw_around([symbol.value for symbol in self.symbols], rng, width, tries):
+            variation = self._simulate_at(values, unanswered)
             if variation is not None:
                 yield variation
 
@@ -84,12 +86,12 @@ class Variations:
             return
         numbers = iter(other)
         mirrored = [symbol.value if symbol.path else next(numbers) for symbol in self.symbols]
-        for values in self._around(mirrored, rng, width, tries):
-            variation = self._at(values, None, (self.study.scene.horizon,))
+        for values in self._draw_around(mirrored, rng, width, tries):
+            variation = self._simulate_at(values, None, (self.study.scene.horizon,))
             if variation is not None:
                 yield variation
 
-    def turned(
+    def draw_turned(
         self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[SimulatedScene]
     ) -> Iterator[Variation]:
         """Yield problems with numbers at which a sum in one of the formulas changes its sign or vanishes.
@@ -98,9 +100,9 @@ class Variations:
         sign are included; a sum that random numbers never change is changed deliberately.
         """
         here = [entry.value for entry in self.symbols]
-        sums = [*dict.fromkeys(entry for formula in formulas for entry in (formula, *sums_in(formula)))]
-        signs, tries = [sign_of(each, self._counted(here)) for each in sums], [0] * len(sums)
-        drawn = [*self._around(here, rng, width, LOOKED)]
+        sums = [*dict.fromkeys(entry for formula in formulas for entry in (formula, *find_sums(formula)))]
+        signs, tries = [find_sign(each, self._in_formula_units(here)) for each in sums], [0] * len(sums)
+        drawn = [*self._draw_around(here, rng, width, LOOKED)]
         turning = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
         for number, values in enumerate(drawn):
             other = [n for n, at in enumerate(turning) if tries[n] < TRIES and at[number]]
@@ -130,7 +132,7 @@ class Variations:
         low, high = 0.0, 1.0
         while high - low > BEYOND_TURN / 2.0:
             middle = (low + high) / 2.0
-            beyond = sign_of(held, self._counted(self._towards(values, middle))) != sign
+            beyond = find_sign(held, self._in_formula_units(self._towards(values, middle))) != sign
             low, high = (low, middle) if beyond else (middle, high)
         return self._towards(values, min(1.0, high + BEYOND_TURN))
 
@@ -140,7 +142,7 @@ class Variations:
             symbol.value * (to / symbol.value) ** share for symbol, to in zip(self.symbols, values, strict=True)
         )
 
-    def one_by_one(self, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
+    def vary_one_by_one(self, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield problems with one number far smaller or larger than all others of the same unit.
 
         Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
@@ -167,7 +169,7 @@ class Variations:
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
         tries = (EACH if changing(self.study.mechanism) else LOOKED) // 2  # of either
         sizes = self._sizes(max)
-        for drawn in self._around(here, rng, width, tries if may.any() else 0):
+        for drawn in self._draw_around(here, rng, width, tries if may.any() else 0):
             values = np.array(drawn)
             signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
             shifts = rng.uniform(0.0, FARTHEST) * np.array(sizes) * rng.uniform(-1.0, 1.0, len(may))
@@ -182,7 +184,7 @@ class Variations:
 
     def having(self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None) -> Variation | None:
         """Return the problem with given numbers; None if it has no answer, or an angle is nearly a right angle."""
-        return None if self._is_steep(values) else self._at(values, unanswered)
+        return None if self._is_steep(values) else self._simulate_at(values, unanswered)
 
     def _moving(self, values: Sequence[float], unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         variation = self.having(values, unanswered)
@@ -192,16 +194,16 @@ class Variations:
     def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
         """Return numbers, each at an end of its range, for which a sum changes its sign; None if there are none."""
         values = [held.value for held in self.symbols]
-        sign = sign_of(held, self._counted(values))
+        sign = find_sign(held, self._in_formula_units(values))
         for n in range(len(values)):
             ends = ([*values[:n], values[n] * times, *values[n + 1 :]] for times in (exp(-width), exp(width)))
             values = min((end for end in ends if not self._is_steep(end)), key=lambda end: self._size(held, end, sign))
-        return tuple(values) if sign_of(held, self._counted(values)) != sign else None
+        return tuple(values) if find_sign(held, self._in_formula_units(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
         """Return a sum's value for some numbers, times its original sign: negative if the sum has changed its sign."""
         try:
-            return held.value(self._counted(values)).real * (sign or 1.0)
+            return held.value(self._in_formula_units(values)).real * (sign or 1.0)
         except (ValueError, ArithmeticError):
             return -inf
 
@@ -212,14 +214,14 @@ class Variations:
             for symbol, value in zip(self.symbols, values, strict=True)
         )
 
-    def _around(
+    def _draw_around(
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
     ) -> Iterator[list[float]]:
         """Yield random numbers around given ones, without angles close to a right angle."""
         factors = np.exp(rng.uniform(-width, width, (tries, len(self.symbols))))
         yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
 
-    def _at(
+    def _simulate_at(
         self, values: Sequence[float], unanswered: list[SimulatedScene] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
         """Return the problem with given numbers, simulated to each of the times `ends` (s) until there is an answer."""
@@ -237,7 +239,7 @@ class Variations:
                 seen = SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
                 outcome = answered(query, seen)
                 if outcome is not None:
-                    return Variation(self._counted(values), *outcome)
+                    return Variation(self._in_formula_units(values), *outcome)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
         if unanswered is not None and seen is not None:
@@ -247,9 +249,9 @@ class Variations:
     @cached_property
     def _roomy(self) -> Scene:
         """Return the scene with strings and faces so long that other numbers cause no collision with their ends."""
-        return with_long_strings(self.study.scene)
+        return lengthen_strings(self.study.scene)
 
-    def _counted(self, values: Sequence[float]) -> dict[str, float]:
+    def _in_formula_units(self, values: Sequence[float]) -> dict[str, float]:
         return {symbol.symbol: symbol.counted(value) for symbol, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, values: Sequence[float]) -> Query:
@@ -259,7 +261,7 @@ class Variations:
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
         if self.formula is None:
             return query
-        answer = likely_answer(self.formula, self._counted(values), self.factor)
+        answer = likely_answer(self.formula, self._in_formula_units(values), self.factor)
         return KINDS[query.kind].with_likely_answer(query, answer)
 
     @staticmethod
@@ -277,5 +279,5 @@ class Variations:
         comes = self._waits(query) or KINDS[query.kind].awaited
         mechanism = self.study.mechanism
         sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
-        factors = sooner if comes and LATER * here > minimum else ()
-        return tuple(max(factor * here, minimum) for factor in (*factors, LATER))
+        factors = sooner if comes and WAIT_FACTOR * here > minimum else ()
+        return tuple(max(factor * here, minimum) for factor in (*factors, WAIT_FACTOR))

@@ -59,7 +59,7 @@ def all_recipes() -> tuple[str, ...]:
     return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
 
 
-def difficulty_named(difficulty: str) -> Difficulty:
+def find_difficulty(difficulty: str) -> Difficulty:
     """Return a difficulty by its name; UnknownNameError, with the valid names, for an unknown one."""
     for name in DIFFICULTIES:
         if name == difficulty:

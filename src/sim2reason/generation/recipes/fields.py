@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.generation.recipes import recipe
-from sim2reason.generation.recipes.ranges import Idea, one_of
+from sim2reason.generation.recipes.ranges import Idea, draw_idea
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.bodies.charges import Launched
 from sim2reason.scenes.bodies.space import Planet
@@ -40,7 +40,7 @@ PROJECTILE_IDEAS = {
 @recipe("projectile", weights={"extremum": 0.03, "state": 0.5, "optimum": 2.0})  # which hang on few of the numbers
 def draw_projectile(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A ball thrown from a height, which may bounce."""
-    return one_of(PROJECTILE_IDEAS[difficulty], rng, "throw")
+    return draw_idea(PROJECTILE_IDEAS[difficulty], rng, "throw")
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ BEAD = "EmEntity"
 PLAIN = {"medium?": 0.0, "region?": 0.0, "electric": ("UniformElectric",), "magnetic": ("UniformMagnetic",)}
 ELECTRIC = {**PLAIN, "electric?": 1.0, "magnetic?": 0.0}
 MAGNETIC = {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}
-CROSSED = {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}
+CROSSED_CHOICES = {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}
 LAUNCHED: Choices = {"start": ("Launched",)}
 RELEASED: Choices = {"start": ("Released",)}
 RIGHT: Choices = {**LAUNCHED, "angle": 0.0}  # a start whose angle texts do not state
@@ -116,26 +116,26 @@ BEAD_IDEAS = {
         Idea(BEAD, {**ELECTRIC, **RIGHT, "way": ALONG_Y}),
         Idea(BEAD, {**ELECTRIC, **UP, "way": ALONG_X}),
         Idea(BEAD, {**ELECTRIC, **LAUNCHED}, 2.0),
-        Idea(BEAD, {**CROSSED, **RELEASED}, 0.8),
+        Idea(BEAD, {**CROSSED_CHOICES, **RELEASED}, 0.8),
     ),
     "medium": (  # crossed fields, and a field that depends on the place, or that has an end
-        Idea(BEAD, {**CROSSED, **RELEASED}),
-        Idea(BEAD, {**CROSSED, **RIGHT}, 1.5),
-        Idea(BEAD, {**CROSSED, **UP}, 1.5),
-        Idea(BEAD, {**CROSSED, **LAUNCHED}, 1.5),
+        Idea(BEAD, {**CROSSED_CHOICES, **RELEASED}),
+        Idea(BEAD, {**CROSSED_CHOICES, **RIGHT}, 1.5),
+        Idea(BEAD, {**CROSSED_CHOICES, **UP}, 1.5),
+        Idea(BEAD, {**CROSSED_CHOICES, **LAUNCHED}, 1.5),
         Idea(BEAD, {**ELECTRIC, "electric": ("LinearElectric",)}, 1.5, suits=_oscillates),
         Idea(BEAD, {**MAGNETIC, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}, 0.05),
         Idea(BEAD, {**PLAIN, "region?": 1.0}, 0.1, suits=_is_launched),
     ),
     "hard": (  # one that depends on time, or on the velocity; and regions of crossed fields
-        Idea(BEAD, {**CROSSED, **LAUNCHED}, 2.0),
-        Idea(BEAD, {**CROSSED, **LAUNCHED, "electric": ("LinearElectric",)}, 1.5, suits=_oscillates),
-        Idea(BEAD, {**CROSSED, **RIGHT, "electric": ("LinearElectric",)}, 0.4, suits=_oscillates),
-        Idea(BEAD, {**CROSSED, **UP, "electric": ("LinearElectric",)}, 0.4, suits=_oscillates),
+        Idea(BEAD, {**CROSSED_CHOICES, **LAUNCHED}, 2.0),
+        Idea(BEAD, {**CROSSED_CHOICES, **LAUNCHED, "electric": ("LinearElectric",)}, 1.5, suits=_oscillates),
+        Idea(BEAD, {**CROSSED_CHOICES, **RIGHT, "electric": ("LinearElectric",)}, 0.4, suits=_oscillates),
+        Idea(BEAD, {**CROSSED_CHOICES, **UP, "electric": ("LinearElectric",)}, 0.4, suits=_oscillates),
         Idea(BEAD, {**ELECTRIC, "electric": ("GrowingElectric", "OscillatingElectric")}, 0.2),
         Idea(BEAD, {**PLAIN, "magnetic?": 1.0, "electric?": 0.5, "medium?": 1.0, "medium": ("LinearDrag",)}, 0.3),
         Idea(BEAD, {**MAGNETIC, "medium?": 1.0, "medium": ("QuadraticDrag",)}, 0.05),
-        Idea(BEAD, {**CROSSED, "region?": 1.0}, 0.1, suits=_is_launched),
+        Idea(BEAD, {**CROSSED_CHOICES, "region?": 1.0}, 0.1, suits=_is_launched),
     ),
 }
 
@@ -154,4 +154,4 @@ BEAD_WEIGHTS = {
 @recipe("electromagnetic", weights=BEAD_WEIGHTS)
 def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A charged bead in uniform or variable fields, with or without boundaries."""
-    return one_of(BEAD_IDEAS[difficulty], rng, "fields")
+    return draw_idea(BEAD_IDEAS[difficulty], rng, "fields")

@@ -13,9 +13,9 @@ from sim2reason.generation.recipes.ports import (
     ends_for,
     is_down,
     is_downhill,
+    is_motionless,
     is_passed,
     open_ports,
-    stands_still,
     takes,
 )
 from sim2reason.scenes.dsl.addresses import without_idle_fields
@@ -28,7 +28,7 @@ from sim2reason.scenes.dsl.model import Choice, draw
 from sim2reason.scenes.dsl.ports import Pass, Stop, StringEnd
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
-from sim2reason.text.prose.description import draft, written
+from sim2reason.text.prose.description import write_description, write_draft
 
 LEVEL = 1e-9  # of a direction, or m; smaller values are rounding errors
 
@@ -54,17 +54,17 @@ def _leaves_upwards(scene: Scene, end: Stop) -> bool:
 
 def _climb(scene: Scene, end: Stop) -> float:
     """Return the height at which a string leaves an entity above the point where it is tied, m."""
-    alone = _alone(scene, end)
+    alone = _build_end_entity(scene, end)
     return alone.position(end.sites[-1])[2] - alone.position(end.sites[0])[2]
 
 
 def _steepness(scene: Scene, end: Stop) -> float:
     """Return the sine of the angle at which a string leaves an entity; zero if its direction is free."""
-    face = _alone(scene, end).faces.get(end.sites[-1])
+    face = _build_end_entity(scene, end).faces.get(end.sites[-1])
     return face[2] if face is not None else 0.0
 
 
-def _alone(scene: Scene, end: Stop) -> Builder:
+def _build_end_entity(scene: Scene, end: Stop) -> Builder:
     """Return the mechanism builder of the entity at one end of a string, built without the other entities."""
     return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
 
@@ -74,7 +74,7 @@ LONGEST_SENTENCE = 40  # words
 ONWARD = 0.75  # probability that a string continues to another entity where it could end
 UPHILL = 0.7  # fraction of scenes with strings down a slope only beside one up it, so that weights oppose each other
 UNDER = 0.3  # probability that a string passes an entity on its way
-LOADED = 0.75  # probability of an optional load
+LOAD_PROBABILITY = 0.75  # probability of an optional load
 COMPARABLE = 2.5  # largest mass ratio if pulleys have mass
 DISC = 0.75  # of the lightest block: smallest mass of a massive pulley
 CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # masses that are not much smaller than those of the carried bodies
@@ -119,7 +119,7 @@ class Grower:
         """Draw what holds for the whole scene: number of entities, friction, massive pulleys and ranges of masses."""
         self.tier, self.rng = tier, rng
         self.left = int(rng.integers(tier.size.low, tier.size.high + 1))
-        self.choices: dict[str, Choice] = {"load?": LOADED, **tier.choices, **self._masses()}
+        self.choices: dict[str, Choice] = {"load?": LOAD_PROBABILITY, **tier.choices, **self._masses()}
         if self.left == 1:
             self.choices.update(tier.alone)
         if not self._chance(tier.rough):
@@ -177,14 +177,14 @@ class Grower:
     def _chance(self, chance: float) -> bool:
         return bool(self.rng.random() < chance)
 
-    def _one_of(self, weights: Mapping[str, float]) -> str:
+    def _draw_one(self, weights: Mapping[str, float]) -> str:
         names, shares = list(weights), np.array(list(weights.values()))
         return names[int(self.rng.choice(len(names), p=shares / shares.sum()))]
 
     def _pick(self) -> str:
         """Return a random entity type; one of a missing group when there is room for no other."""
         missing = self._missing()
-        return self._one_of(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
+        return self._draw_one(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
 
     def _missing(self) -> list[Mapping[str, float]]:
         """Return the required groups of entity types of which the scene has no entity yet, with weights."""
@@ -227,13 +227,13 @@ class Grower:
         shares = {key: share for key, share in self.tier.connections.items() if takes(CONNECTIONS[key], here.port)}
         if not shares:
             return
-        kind = CONNECTIONS[self._one_of(shares)]
+        kind = CONNECTIONS[self._draw_one(shares)]
         if isinstance(here.port, Pass):
-            first = self._far_end(kind, here, [])
-            path = [first, here, self._far_end(kind, here, [first, here])]
+            first = self._end_port(kind, here, [])
+            path = [first, here, self._end_port(kind, here, [first, here])]
         else:
             path = [here, *self._between(kind, here)]
-            path.append(self._far_end(kind, path[-1], path))
+            path.append(self._end_port(kind, path[-1], path))
             if not kind.admits(here.port, 0, len(path) - 1):
                 path.reverse()
         for stop in path:
@@ -247,10 +247,10 @@ class Grower:
         passed = {name: weight for name, weight in self.tier.pool.items() if is_passed(name, kind)}
         if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(UNDER)):
             return []
-        named = self._add(self._one_of(passed))
+        named = self._add(self._draw_one(passed))
         return [stop for stop in open_ports(named) if isinstance(stop.port, Pass)][:1]
 
-    def _far_end(self, kind: type[Connection], here: OpenPort, path: list[OpenPort]) -> OpenPort:
+    def _end_port(self, kind: type[Connection], here: OpenPort, path: list[OpenPort]) -> OpenPort:
         """Return the port at which a connection ends; on a fixed support only if something on the way can move."""
         pool = {name: w for name, w in self.tier.pool.items() if not is_passed(name, kind)}
         moving = any(isinstance(stop.port, Pass) for stop in (here, *path))
@@ -258,7 +258,7 @@ class Grower:
         if pool and self.left > 0 and onward:
             for _ in range(3):
                 picked = self._pick()
-                named = self._named(picked if picked in pool else self._one_of(pool))
+                named = self._named(picked if picked in pool else self._draw_one(pool))
                 ends = ends_for(named, kind, here)
                 ends = [end for end in ends if not (self.uphill and is_downhill(end))] or ends
                 if ends:
@@ -268,9 +268,9 @@ class Grower:
         barred = taken | {HAND} if self.pulled else taken
         closers = {name: weight for name, weight in self.tier.closers.items() if name not in barred}
         while closers:
-            named = self._named(self._one_of(closers))
+            named = self._named(self._draw_one(closers))
             end = next(iter(ends_for(named, kind, here)), None)
-            if end is not None and (moving or not stands_still(named)):
+            if end is not None and (moving or not is_motionless(named)):
                 self._enter(named)
                 self.pulled = self.pulled or type(named.entity).__name__ == HAND
                 return end
@@ -298,10 +298,10 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 def _is_short(scene: Scene, words: int) -> bool:
     """Return whether the whole text and every sentence about a string are within their limits."""
-    drafted, dry = draft(scene)
+    drafted, dry = write_draft(scene)
     if _total(drafted) > words:
         return False  # most do not, and show it at once
-    sentences = written(dry).sentences
+    sentences = write_description(dry).sentences
     return _total(sentences) <= words and max(map(_length, sentences)) <= LONGEST_SENTENCE
 
 

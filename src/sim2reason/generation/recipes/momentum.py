@@ -7,7 +7,7 @@ from math import hypot, sqrt
 import numpy as np
 
 from sim2reason.generation.recipes import recipe
-from sim2reason.generation.recipes.ranges import Idea, one_of
+from sim2reason.generation.recipes.ranges import Idea, draw_idea
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.authoring import GRAVITY
 from sim2reason.scenes.bodies.blocks import Puck, Table
@@ -99,7 +99,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     if rng.random() < tier.straight:
         restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
         choices = {**tier.track, "ComplexCollisionPlane.restitution": restitution, "restitution": PARTIAL}
-        return one_of((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")
+        return draw_idea((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")
     meeting = tier.meetings[int(rng.integers(len(tier.meetings)))]
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
     restitution = _restitution(tier, rng)
@@ -133,49 +133,52 @@ def _puck(tier: CollisionTier, rng: np.random.Generator, position: PlaneVector, 
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
 
 
-def _any(interval: Range, rng: np.random.Generator) -> float:
+def _draw_uniform(interval: Range, rng: np.random.Generator) -> float:
     return float(rng.uniform(interval.low, interval.high))
 
 
-def _beside(radius: float, rng: np.random.Generator) -> float:
+def _draw_path_offset(radius: float, rng: np.random.Generator) -> float:
     """Return a random signed offset of a path from a centre, m."""
-    return float(rng.choice([-1.0, 1.0])) * _any(OFFSET, rng) * radius
+    return float(rng.choice([-1.0, 1.0])) * _draw_uniform(OFFSET, rng) * radius
 
 
-def _at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
+def _draw_at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that moves along the x axis, and one at rest that it hits off centre."""
-    position = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
-    return _puck(tier, rng, position, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
+    position = (-2.0 * radius - _draw_uniform(APART, rng), _draw_path_offset(radius, rng))
+    return _puck(tier, rng, position, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
 
 
 def _head_on(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return two pucks that move towards each other on parallel paths."""
-    position, toward = (2.0 * radius + _any(APART, rng), _beside(radius, rng)), (-_any(tier.speed, rng), 0.0)
-    return _puck(tier, rng, ORIGIN, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, position, toward)
+    position, toward = (
+        (2.0 * radius + _draw_uniform(APART, rng), _draw_path_offset(radius, rng)),
+        (-_draw_uniform(tier.speed, rng), 0.0),
+    )
+    return _puck(tier, rng, ORIGIN, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, position, toward)
 
 
 def _crossing(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return two pucks on perpendicular paths; the second is a little early or late where the paths cross."""
-    ahead = _any(tier.speed, rng)
-    up = _any(ALIKE, rng) * ahead
-    time = (2.0 * radius + _any(APART, rng)) / min(ahead, up)
-    late = _beside(radius, rng) * hypot(ahead, up) / ahead  # so much that the centres pass at that distance
+    ahead = _draw_uniform(tier.speed, rng)
+    up = _draw_uniform(ALIKE, rng) * ahead
+    time = (2.0 * radius + _draw_uniform(APART, rng)) / min(ahead, up)
+    late = _draw_path_offset(radius, rng) * hypot(ahead, up) / ahead  # so much that the centres pass at that distance
     first = _puck(tier, rng, (-ahead * time, 0.0), (ahead, 0.0))
     return first, _puck(tier, rng, (0.0, late - up * time), (0.0, up))
 
 
 def _in_turn(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that hits one at rest, which then hits another at rest: it moves off along the line of centres."""
-    first, second = _at_rest(radius, tier, rng)
+    first, second = _draw_at_rest(radius, tier, rng)
     across = -first.y / (2.0 * radius)
     along = sqrt(1.0 - across**2)
-    distance, beside = 2.0 * radius + _any(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
+    distance, beside = 2.0 * radius + _draw_uniform(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
     position = (along * distance - across * beside, across * distance + along * beside)
     return first, second, _puck(tier, rng, position)
 
 
 PARTS = "x", "y", "vx", "vy"
-MEETINGS = {"at rest": _at_rest, "head-on": _head_on, "crossing": _crossing, "in turn": _in_turn}
+MEETINGS = {"at rest": _draw_at_rest, "head-on": _head_on, "crossing": _crossing, "in turn": _in_turn}
 
 
 def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
@@ -216,4 +219,4 @@ ROCKET_WEIGHTS = {
 @recipe("rocket", weights=ROCKET_WEIGHTS)
 def draw_rocket(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A rocket that burns its fuel: in deep space, above level ground, or leaving a planet."""
-    return one_of(ROCKET_IDEAS[difficulty], rng, "rocket")
+    return draw_idea(ROCKET_IDEAS[difficulty], rng, "rocket")

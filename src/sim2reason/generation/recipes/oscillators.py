@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.generation.recipes import recipe
 from sim2reason.generation.recipes.growth import Tier, grow
-from sim2reason.generation.recipes.ranges import NUMBERS, WORDS, Idea, one_of
+from sim2reason.generation.recipes.ranges import NUMBERS, WORDS, Idea, draw_idea
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.mechanism import GRAVITY
@@ -81,7 +81,7 @@ def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A bob on a string or light rod, perhaps on a carriage: released, launched, or fast enough to go slack."""
     if rng.random() < CARRIED.get(difficulty, 0.0):
         return grow(PENDULUM_TIERS[difficulty], rng)
-    return one_of(PENDULUM_IDEAS[difficulty], rng, "pendulum")
+    return draw_idea(PENDULUM_IDEAS[difficulty], rng, "pendulum")
 
 
 ON_TABLE, ON_PLANE = "SpringBlock", "SpringMassIncline"
@@ -116,7 +116,7 @@ def _starts_well(entity: SpringMassIncline) -> bool:
     return moves and abs(strain) >= STRAINED * entity.spring.length and abs(tan(angle) - 1.0) >= UNLIKE
 
 
-def _apart(entity: SpringBlock) -> bool:
+def _springs_clear_nails(entity: SpringBlock) -> bool:
     """Return whether every spring is clear of the nails of the others."""
     block = complex(entity.x, entity.y)
     nails = [complex(spring.x, spring.y) - block for spring in entity.springs]
@@ -133,11 +133,18 @@ SPRING_IDEAS = {
     "easy": (  # two springs, released; one that is released only oscillates along itself
         Idea(ON_TABLE, ACROSS, 0.8),
         Idea(ON_TABLE, CENTRAL, 0.4),
-        Idea(ON_TABLE, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.1, _apart),  # it needs integrating
+        Idea(
+            ON_TABLE, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}, 0.1, _springs_clear_nails
+        ),  # it needs integrating
         Idea(ON_PLANE, {**ROUGH_PLANE, "angle": Range(26.0, 38.0)}, 1.0, _starts_well),
     ),
     "medium": (
-        Idea(ON_TABLE, {**COMPARABLE_SPRINGS, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 0.1, _apart),
+        Idea(
+            ON_TABLE,
+            {**COMPARABLE_SPRINGS, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7},
+            0.1,
+            _springs_clear_nails,
+        ),
         Idea(ON_TABLE, {**COMPARABLE_SPRINGS, **ACROSS}, 0.6),
         Idea(ON_TABLE, {**COMPARABLE_SPRINGS, **CENTRAL}, 0.6),
         Idea(ON_PLANE, {**ROUGH_PLANE, "angle": Range(30.0, 40.0)}, 1.2, _starts_well),
@@ -147,7 +154,7 @@ SPRING_IDEAS = {
             ON_TABLE,
             {**COMPARABLE_SPRINGS, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6},
             0.05,
-            _apart,
+            _springs_clear_nails,
         ),
         Idea(ON_PLANE, {**ROUGH_PLANE, "angle": Range(30.0, 60.0)}, 1.5, _starts_well),
     ),
@@ -172,7 +179,7 @@ SPRING_WEIGHTS = {
 @recipe("springs", share=2, weights=SPRING_WEIGHTS)
 def draw_springs(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A block on a smooth table held by several springs at angles, or on a rough plane at one spring."""
-    return one_of(SPRING_IDEAS[difficulty], rng, "springs")
+    return draw_idea(SPRING_IDEAS[difficulty], rng, "springs")
 
 
 CHAIN, RING = "SpringMassChain", "SpringMassRing"
@@ -222,4 +229,4 @@ CHAIN_WEIGHTS = {
 @recipe("chain", weights=CHAIN_WEIGHTS)
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Carts on a track, or beads on a ring, joined by springs: struck, or released with a strained spring."""
-    return one_of(CHAIN_IDEAS[difficulty], rng, "chain")
+    return draw_idea(CHAIN_IDEAS[difficulty], rng, "chain")

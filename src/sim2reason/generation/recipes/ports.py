@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.connection import Connection, Link
-from sim2reason.scenes.dsl.defaults import opposite
-from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports, stops_of
+from sim2reason.scenes.dsl.defaults import opposite_direction
+from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports, port_stops
 from sim2reason.scenes.dsl.ports import Attachment, Pass, Port, StringPort
 from sim2reason.scenes.dsl.vectors import Vector
 
@@ -24,7 +24,7 @@ class OpenPort:
     @property
     def direction(self) -> Vector | None:
         """Return the direction in which a connection must leave; None for any."""
-        stop = stops_of(self.owner.entity, self.port.name, self.owner.name)[-1]
+        stop = port_stops(self.owner.entity, self.port.name, self.owner.name)[-1]
         return self.owner.alone.faces.get(stop.sites[-1]) if stop.sites else None
 
     def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
@@ -34,7 +34,7 @@ class OpenPort:
         """
         here, there = self.direction, other.direction
         turns = issubclass(kind.joins, StringPort) and not (is_down(here) or is_down(there))
-        return turns or opposite(here, there)
+        return turns or opposite_direction(here, there)
 
 
 def takes(kind: type[Connection], port: Port) -> bool:
@@ -57,7 +57,7 @@ def open_ports(named: Named) -> list[OpenPort]:
     ports = outer_ports(type(named.entity)).values()
     free = [port for port in ports if not port.unless or getattr(named.entity, port.unless) is None]
     free = [port for port in free if not (moves and isinstance(port, Attachment | StringPort))]
-    sites = {p: [site for stop in stops_of(named.entity, p.name, named.name) for site in stop.sites] for p in free}
+    sites = {p: [site for stop in port_stops(named.entity, p.name, named.name) for site in stop.sites] for p in free}
     return [OpenPort(named, port) for port in free if builder.faces.keys() >= set(sites[port])]
 
 
@@ -72,7 +72,7 @@ def is_passed(name: str, kind: type[Connection]) -> bool:
     return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
 
 
-def stands_still(named: Named) -> bool:
+def is_motionless(named: Named) -> bool:
     """Return whether nothing of an entity moves or pulls."""
     return not named.alone.drawing and not named.alone.finish().bodies
 

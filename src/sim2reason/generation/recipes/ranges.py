@@ -64,7 +64,7 @@ class Idea:
     suits: Callable[[Any], bool] = lambda _: True  # whether all of a drawn entity has a bearing on what it does
 
 
-def one_of(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Scene:
+def draw_idea(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Scene:
     """Return a scene of one entity, named `name`, drawn by a random idea.
 
     Raises:

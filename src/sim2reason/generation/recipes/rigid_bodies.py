@@ -11,7 +11,7 @@ import numpy as np
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.recipes import recipe
-from sim2reason.generation.recipes.ranges import SIZES, Idea, idle_numbers, one_of
+from sim2reason.generation.recipes.ranges import SIZES, Idea, draw_idea, idle_numbers
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import Count, Range
@@ -21,7 +21,7 @@ from sim2reason.scenes.dsl.solids import Solid
 from sim2reason.scenes.entities.pendulums import RotationEntity, holds_axle
 from sim2reason.scenes.entities.pieces import (
     FIRST,
-    OTHER,
+    OTHER_SIDE,
     AxialPiece,
     BallPiece,
     BarPiece,
@@ -107,7 +107,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
 def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Sequence[WeldedPiece]) -> WeldedPiece | None:
     """Draw a piece so close to the axle that the size of each piece matters; None if impossible."""
     distances = FAR if kind is BallPiece else NEAR
-    choices = {**SIZES, "side?": 0.4, "side": (OTHER,), "distance": distances}
+    choices = {**SIZES, "side?": 0.4, "side": (OTHER_SIDE,), "distance": distances}
     piece = draw(kind, rng, choices, {} if others else {"side": FIRST})
     farthest = _farthest(piece, others)
     if piece.distance > farthest > distances.low:
@@ -135,10 +135,10 @@ def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
 def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
     """Return whether a piece clears the axle and overlaps no other piece."""
     clear = min(map(abs, piece.span)) >= CLEAR
-    return clear and not holds_axle(piece) and all(is_clear(piece, other) for other in others)
+    return clear and not holds_axle(piece) and all(are_clear(piece, other) for other in others)
 
 
-def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
+def are_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
     """Return whether two pieces on one arm do not overlap, and neither extends past the axle."""
     (low, high), (near, far) = one.span, other.span
     return (high < near or far < low) and not any(begin < 0.0 < end for begin, end in (one.span, other.span))
@@ -272,4 +272,4 @@ ROLLING_WEIGHTS = {
 @recipe("rolling", share=2, weights=ROLLING_WEIGHTS)
 def draw_rolling(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """A sphere, cylinder, hoop or prism on a plane, perhaps with a hole beside its axis."""
-    return one_of(ROLLING_IDEAS[difficulty], rng, "roller")
+    return draw_idea(ROLLING_IDEAS[difficulty], rng, "roller")

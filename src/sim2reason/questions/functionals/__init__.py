@@ -85,8 +85,8 @@ class Functional(ABC):
         """Return the noun phrases of the functional for each subject that has it, by name."""
         mechanism, of = words.mechanism, self.of
         nouns: dict[str, Noun] = {}
-        for name, subject_phrase in words.called(of).items():
-            given = all(of.gives(need, mechanism, name, words.said) for need in self.needs)
+        for name, subject_phrase in words.subject_phrases(of).items():
+            given = all(of.gives(need, mechanism, name, words.stated_paths) for need in self.needs)
             if given and self.present(words, name):
                 called = of.point(mechanism, name, subject_phrase) if self.center else subject_phrase
                 fills = {of.slot: called, "when": "{when}", **words.fills(of, name), **self.placeholders(words, name)}

@@ -15,13 +15,13 @@ from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.words import Words, ordinal
+from sim2reason.questions.words import Words, ordinal_word
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.trace import IMPACTS, Channel, Event, Trace, in_order
+from sim2reason.simulation.trace import IMPACTS, Channel, Event, Trace, sorted_unique
 
 ROUNDS, PIECES = 3, 64  # refinements of a maximum between neighbouring samples, and pieces per refinement
 PLATEAU_RTOL = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum
@@ -122,9 +122,9 @@ class Extreme(Functional):
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the greatest value anywhere in the interval, its ends included."""
-        return None if self._unbounded(trace, end) else self.between(trace, name, 0.0, end)
+        return None if self._unbounded(trace, end) else self.extreme_between(trace, name, 0.0, end)
 
-    def between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
+    def extreme_between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
         """Return the greatest value between two times, s, ends included; None if it is not always defined."""
         times, heights = self._sampled(trace, name, end)
         within = times >= began
@@ -185,7 +185,7 @@ _NODES, _WEIGHTS = leggauss(POINTS)
 def borders(trace: Trace, end: float) -> Array:
     """Return times, s, from 0 to `end`, between which the motion is smooth and no coordinate reverses."""
     events = [event.time for event in trace.events]
-    times = in_order(np.concatenate([[0.0, end], trace.knots(), events]))
+    times = sorted_unique(np.concatenate([[0.0, end], trace.knots(), events]))
     return times[(times >= 0.0) & (times <= end)]
 
 
@@ -194,7 +194,7 @@ def integral(trace: Trace, rate: Callable[[State], Array], end: float, corners: 
     limits = borders(trace, end)
     inner = [time for time in corners if 0.0 < time < end]
     if inner:
-        limits = in_order(np.append(limits, inner))
+        limits = sorted_unique(np.append(limits, inner))
     if len(limits) < 2:
         return 0.0
     widths = np.diff(limits)
@@ -215,7 +215,7 @@ def collision_phrases(moment: Moment, words: Words, name: str) -> tuple[str, ...
     number = moment.count(words)
     if number is None:
         return ("in their collision", "when they collide", "in the collision of the two")
-    which = ordinal(number)
+    which = ordinal_word(number)
     return (
         f"in their {which} collision",
         f"when they collide for the {which} time",
@@ -310,19 +310,19 @@ def energy_lost(trace: Trace, times: Iterable[float]) -> float:
     """Return the kinetic energy, J, that all bodies together lose at some times, s."""
 
     def kinetic(state: State) -> Array:
-        return np.sum([KineticEnergy.evaluate(state, body) for body in massive(state.mechanism)], axis=0)
+        return np.sum([KineticEnergy.evaluate(state, body) for body in massive_bodies(state.mechanism)], axis=0)
 
     return -float(np.sum(jumps(trace, kinetic, times)))
 
 
-def massive(mechanism: Mechanism) -> Sequence[str]:
+def massive_bodies(mechanism: Mechanism) -> Sequence[str]:
     """Return the names of all bodies with a mass."""
     return [body.name for body in mechanism.bodies if body.mass > 0.0]
 
 
 def energies(mechanism: Mechanism) -> tuple[Channel, ...]:
     """Return the channels on which a loss of kinetic energy depends."""
-    return tuple(Channel(name, KineticEnergy.name) for name in massive(mechanism))
+    return tuple(Channel(name, KineticEnergy.name) for name in massive_bodies(mechanism))
 
 
 def is_unconstrained(mechanism: Mechanism, name: str) -> bool:

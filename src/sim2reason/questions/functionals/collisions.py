@@ -14,7 +14,7 @@ from sim2reason.questions.functionals.aggregates import (
     energy_lost,
     is_unconstrained,
     jumps,
-    massive,
+    massive_bodies,
 )
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import WALLS, obstacle_phrase
@@ -152,10 +152,10 @@ class Collisions(EventCount):
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of all velocities."""
         del name
-        return tuple(Channel(body, Velocity.name) for body in massive(mechanism))
+        return tuple(Channel(body, Velocity.name) for body in massive_bodies(mechanism))
 
 
-FEWEST = 2  # least number of impacts in a sum
+MIN_IMPACTS = 2  # least number of impacts in a sum
 
 
 class FromFixed(Functional):
@@ -219,7 +219,7 @@ class TotalImpactImpulse(FromFixed):
 
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether several impacts occur up to the time, so that the total differs from a single impulse."""
-        return len(collision_times(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
+        return len(collision_times(study.trace, end, lambda event: event.subjects == (name,))) >= MIN_IMPACTS
 
 
 @functional
@@ -246,7 +246,7 @@ class TotalCollisionLoss(Functional):
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether several collisions occur up to the time, so that the total differs from a single loss."""
         del name
-        return len(collision_times(study.trace, end)) >= FEWEST
+        return len(collision_times(study.trace, end)) >= MIN_IMPACTS
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of all kinetic energies."""

@@ -14,12 +14,12 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push, Resistance
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.quantities.force_laws import ExtensionRate, SpringEnergy
 from sim2reason.simulation.quantities.forces import FrictionForce, StringLength, Tension
 from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, rides
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves_on_slider
 from sim2reason.simulation.quantities.subjects.interactions import Contacts, Hands, Springs, strings
 from sim2reason.simulation.trace import Channel, Trace
 
@@ -99,7 +99,7 @@ class FieldWork(Integral):
     def rate(self, state: State, name: str) -> Array:
         """Return the power F·v of the electric force inside the field, W, (n,)."""
         point, total = state.frames.center(name), np.zeros(len(state.times))
-        for force in _pushes(state.mechanism, name):
+        for force in _push_forces(state.mechanism, name):
             pull = force.law.force(point.place, point.velocity, state.times, np)
             power = dot(pull, point.velocity) + 0.0 * state.times
             if force.region is not None:
@@ -115,7 +115,7 @@ class FieldWork(Integral):
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body is a charge in an electric field."""
-        return bool(_pushes(words.mechanism, name))
+        return bool(_push_forces(words.mechanism, name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of the body's velocity and displacement."""
@@ -123,7 +123,7 @@ class FieldWork(Integral):
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
 
-def _pushes(mechanism: Mechanism, name: str) -> list[Force]:
+def _push_forces(mechanism: Mechanism, name: str) -> list[Force]:
     return [force for force in mechanism.forces if force.body == name and isinstance(force.law, Push)]
 
 
@@ -217,19 +217,19 @@ class StringWork(Integral):
 
     def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the placeholder for the text's phrase for the string."""
-        return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
+        return {"string": _string_phrases(words)[_tied(words.mechanism, name)[0][0]]}
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether one string, which the text names, is tied to the body, and nothing rides on the body."""
         tied = _tied(words.mechanism, name)
-        ridden = any(body.parent == name for body in words.mechanism.bodies) or rides(words.mechanism, name)
-        return len(tied) == 1 and not ridden and tied[0][0] in _called(words)
+        ridden = any(body.parent == name for body in words.mechanism.bodies) or moves_on_slider(words.mechanism, name)
+        return len(tied) == 1 and not ridden and tied[0][0] in _string_phrases(words)
 
     def rate(self, state: State, name: str) -> Array:
         """Return the power T·v of the tension, W, (n,)."""
         line, own, other = _tied(state.mechanism, name)[0]
         here, there = state.frames.site(own), state.frames.site(other)
-        separation = minus(there.place, here.place)
+        separation = subtract_triples(there.place, here.place)
         length: Array = np.sqrt(dot(separation, separation)) + 0.0 * state.times
         along = dot(separation, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
         return Tension.evaluate(state, line) * along
@@ -245,7 +245,7 @@ class StringWork(Integral):
         return (Channel(_tied(mechanism, name)[0][0], Tension.name), Channel(name, Velocity.name))
 
 
-def _called(words: Words) -> Mapping[str, str]:
+def _string_phrases(words: Words) -> Mapping[str, str]:
     return strings(words.mechanism, words.mentions)
 
 

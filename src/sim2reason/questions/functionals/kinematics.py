@@ -152,7 +152,7 @@ class ExtremeCoordinate(Extreme):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the extreme coordinate, m, anywhere in the interval."""
-        return self.between(trace, name, 0.0, end)
+        return self.extreme_between(trace, name, 0.0, end)
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the text states the coordinate at the start."""

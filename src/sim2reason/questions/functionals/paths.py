@@ -19,14 +19,21 @@ from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.kinematics import AngleTurned, AngularVelocity, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, can_move, center_path, chain, rides
+from sim2reason.simulation.quantities.subjects.bodies import (
+    Bodies,
+    TurningBodies,
+    ancestor_chain,
+    can_move,
+    center_path,
+    moves_on_slider,
+)
 from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
 from sim2reason.simulation.trace import Channel, Trace
 
 
 def circles(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body turns about a single fixed axle, or is held by a string to a fixed point."""
-    kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
+    kinds = [c.kind for body in ancestor_chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"] or _hangs(mechanism, name)
 
 
@@ -193,7 +200,7 @@ class Reversals(EventCount):
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body moves along one fixed line."""
-        return center_path(words.mechanism, name).straight and not rides(words.mechanism, name)
+        return center_path(words.mechanism, name).straight and not moves_on_slider(words.mechanism, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
         """Return the times, s, at which the velocity changes sign on the line.

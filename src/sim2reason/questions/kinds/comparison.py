@@ -14,12 +14,12 @@ from sim2reason.questions.kinds.nested import (
     NestedKind,
     NestedQuery,
     inner_of,
-    stripped,
     usable_answer,
     variant_certification_gap,
+    without_target_and_moment,
 )
 from sim2reason.questions.query import Noun, Query, Targets, targets
-from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
+from sim2reason.questions.structured import CHANGE, StructuredQuestion, one_of, parse_amount, resolve_name
 from sim2reason.questions.study import SimulatedScene, change_directions
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words
@@ -61,10 +61,10 @@ class ComparisonKind(NestedKind):
     name = "comparison"
     share = 0.04
 
-    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
+    def _compose_query(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a comparison whose answer no simple proportionality gives, with equal courses of events; else None."""
         factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
-        query = ComparisonQuery(self.name, inner.target, inner.moment, stripped(inner), path, factor)
+        query = ComparisonQuery(self.name, inner.target, inner.moment, without_target_and_moment(inner), path, factor)
         query = replace(query, ratio=bool(rng.random() < RATIOS))
         if not is_usual(study.scene, path, factor * float(study.scene.value(path))):
             return None
@@ -72,17 +72,17 @@ class ComparisonKind(NestedKind):
         before, after = usable_answer(inner, study), usable_answer(inner, other)
         if other is None or before is None or after is None or min(before, after) <= _least(inner):
             return None
-        if _is_guessed(after / before, factor) or _course(inner, study) != _course(inner, other):
+        if _is_guessed(after / before, factor) or _event_course(inner, study) != _event_course(inner, other):
             return None
         return replace(query, grows=query.ratio or after > before)
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the ratio of the new answer to the original one, or their difference."""
-        return _compared(query, study, loosely=False)
+        return _comparison_answer(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the ratio or difference, computed also from answers that no question asks for."""
-        return _compared(query, study, loosely=True)
+        return _comparison_answer(query, study, loosely=True)
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, by which both answers are determined; None if one never is."""
@@ -128,7 +128,7 @@ class ComparisonKind(NestedKind):
         if number is None or not query.ratio or query.factor not in GERUNDS:
             return ()
         noun = targets(words)[query.target] if query.target is not None else None
-        changed = f"{number} were {_done(query.factor)}"
+        changed = f"{number} were {_factor_participle(query.factor)}"
         return tuple(f"what would be {RATIO} {name}, if {changed}?" for name in self.names(query, words, noun))
 
     def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
@@ -155,7 +155,7 @@ class ComparisonKind(NestedKind):
             (path, factor, ratio, grows)
             for path, number in words.named.items()
             for factor, gerund in GERUNDS.items()
-            if f"{gerund} {number}" in text or f"{number} were {_done(factor)}" in text
+            if f"{gerund} {number}" in text or f"{number} were {_factor_participle(factor)}" in text
             for ratio, grows in ((True, True), (False, True), (False, False))
         ]
         if not changes:
@@ -163,11 +163,13 @@ class ComparisonKind(NestedKind):
         for inner in self.inner_parsed(text, study, words, targets):
             for path, factor, ratio, grows in changes:
                 yield ComparisonQuery(
-                    self.name, inner.target, inner.moment, stripped(inner), path, factor, ratio, grows
+                    self.name, inner.target, inner.moment, without_target_and_moment(inner), path, factor, ratio, grows
                 )
 
 
-def compared(inner: Query, question: StructuredQuestion, study: SimulatedScene, words: Words) -> ComparisonQuery:
+def build_comparison(
+    inner: Query, question: StructuredQuestion, study: SimulatedScene, words: Words
+) -> ComparisonQuery:
     """Return the query for an answer's change with a number, as in *ramp.speed = 5 m/s* or *ramp.speed × 2*.
 
     TextError if the change names no number of the scene, or has no value for the number.
@@ -176,16 +178,18 @@ def compared(inner: Query, question: StructuredQuestion, study: SimulatedScene, 
     if change is None:
         raise TextError("change", f"{question.change!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
     parameters = {p.path: p for p in study.scene.parameters if p.value}
-    path = resolved("change", change["number"], {path: words.named.get(path, path) for path in parameters})
-    factor = measured("change", change["value"], parameters[path].measure.unit if change["sign"] == "=" else "")
+    path = resolve_name("change", change["number"], {path: words.named.get(path, path) for path in parameters})
+    factor = parse_amount("change", change["value"], parameters[path].measure.unit if change["sign"] == "=" else "")
     factor /= float(parameters[path].value or 0.0) if change["sign"] == "=" else 1.0
     ratio = one_of("compare", question.compare or "ratio", ("ratio", "difference")) == "ratio"
-    return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor, ratio)
+    return ComparisonQuery(
+        "comparison", inner.target, inner.moment, without_target_and_moment(inner), path, factor, ratio
+    )
 
 
 def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
     """Return the sentences for a ratio, with a placeholder for the compared answer."""
-    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
+    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_factor_participle(query.factor)}"
     ratio = f"{RATIO} {{}}"
     return (
         f"by what factor would {changing}, and nothing else, multiply {{}}?",
@@ -197,7 +201,7 @@ def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
 
 def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
     """Return the sentences for a difference, with a placeholder for the compared answer."""
-    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
+    changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_factor_participle(query.factor)}"
     verb, change = ("increase", "increase") if query.grows else ("reduce", "decrease")
     return (
         f"by how much would {changing}, and nothing else, {verb} {{}}?",
@@ -207,12 +211,12 @@ def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
     )
 
 
-def _done(factor: float) -> str:
+def _factor_participle(factor: float) -> str:
     """Return the participle of a factor, such as *doubled*."""
     return f"{GERUNDS[factor].removesuffix('ing')}ed"
 
 
-def _compared(query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:
+def _comparison_answer(query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:
     assert isinstance(query, ComparisonQuery)
     inner = inner_of(query)
     before = usable_answer(inner, study, loosely=loosely)
@@ -228,7 +232,7 @@ def _least(inner: Query) -> float:
     return KINDS[inner.kind].measured(inner).least
 
 
-def _course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
+def _event_course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
     """Return the course of events until the answer is known, and the direction of each coordinate's change."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), change_directions(study, time)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.choices import DISTINCT_RTOL, pick
+from sim2reason.questions.choices import DISTINCT_RTOL, draw_target
 from sim2reason.questions.kinds import Kind, kind
-from sim2reason.questions.phrasing import asking, equilibrium_called
+from sim2reason.questions.phrasing import equilibrium_called, question_sentences
 from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import SimulatedScene
@@ -65,7 +65,7 @@ class EquilibriumKind(Kind):
             known = [target.value(start), *(weights if target.unit == "N" else ())]
             return all(abs(value - other) > DISTINCT_RTOL * abs(value) for other in known)
 
-        target = pick([target for target in targets if not target.signed], rng, differs)
+        target = draw_target([target for target in targets if not target.signed], rng, differs)
         if target is None:
             return None
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
@@ -102,14 +102,16 @@ class EquilibriumKind(Kind):
         del words
         assert query.target is not None
         assert noun is not None
-        shapes = (shape for when in _whens(query) for shape in asking(query.target, noun, when))
+        shapes = (
+            shape for when in _equilibrium_phrases(query) for shape in question_sentences(query.target, noun, when)
+        )
         return tuple(dict.fromkeys(shapes))
 
     def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases for the answer, such as *the length of the spring in the position of equilibrium*."""
         del words
         assert noun is not None
-        return tuple(f"{noun.phrase} {when}" for when in _whens(query))
+        return tuple(f"{noun.phrase} {when}" for when in _equilibrium_phrases(query))
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of all quantities in the scene."""
@@ -136,7 +138,7 @@ class EquilibriumKind(Kind):
             )
 
 
-def _whens(query: Query) -> tuple[str, ...]:
+def _equilibrium_phrases(query: Query) -> tuple[str, ...]:
     """Return the phrases for the equilibrium position."""
     assert isinstance(query, EquilibriumQuery)
     called = equilibrium_called(stable=query.stable)

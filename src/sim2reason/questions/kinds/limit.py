@@ -11,9 +11,9 @@ from sim2reason.questions.kinds.nested import (
     NestedKind,
     NestedQuery,
     inner_of,
-    stripped,
     usable_answer,
     variant_certification_gap,
+    without_target_and_moment,
 )
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.study import SimulatedScene, change_directions
@@ -61,22 +61,24 @@ class LimitKind(NestedKind):
         """Return a random query; None if forces vary, as oscillations beside a huge mass are slow to integrate."""
         return None if changing(study.mechanism) else super().draw(study, words, targets, rng)
 
-    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _draw_number_paths(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return the addresses of the masses in random order, if there are several."""
         masses = {p.path for p in study.scene.parameters if p.measure.unit == MASS and p.value}
-        return [path for path in super()._numbers(study, words, rng) if path in masses and len(masses) > 1]
+        return [path for path in super()._draw_number_paths(study, words, rng) if path in masses and len(masses) > 1]
 
-    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
+    def _compose_query(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query with a nonzero limit that the answer approaches monotonically; None if there is none."""
         del rng
-        query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
+        query = LimitQuery(self.name, inner.target, inner.moment, without_target_and_moment(inner), path)
         smallest = KINDS[inner.kind].measured(inner).least
         for large in (True, False):  # without a mass most problems are others that are simpler
             query = replace(query, large=large)
             limit, here, (last,) = _limit(query, study), usable_answer(inner, study), query.extremes(study, TIMES[-1:])
             if limit is None or here is None or last is None or limit <= smallest:
                 continue
-            if abs(limit / here - 1.0) > MIN_RELATIVE_CHANGE and _way(inner, study) == _way(inner, last):
+            if abs(limit / here - 1.0) > MIN_RELATIVE_CHANGE and _event_course(inner, study) == _event_course(
+                inner, last
+            ):
                 return query
         return None
 
@@ -145,7 +147,7 @@ class LimitKind(NestedKind):
             return
         for inner in self.inner_parsed(text, study, words, targets):
             for path, large in product(numbers, (True, False)):
-                yield LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path, large)
+                yield LimitQuery(self.name, inner.target, inner.moment, without_target_and_moment(inner), path, large)
 
 
 def _limit(query: LimitQuery, study: SimulatedScene) -> float | None:
@@ -158,7 +160,7 @@ def _limit(query: LimitQuery, study: SimulatedScene) -> float | None:
     return lines[1] + (lines[1] - lines[0]) / (RATIO**2 - 1.0)
 
 
-def _way(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
+def _event_course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
     """Return the course of events until the answer is known, and the directions of moving coordinates."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), change_directions(study, time)

@@ -76,13 +76,13 @@ class NestedKind(Kind):
         for inner in islice((query for query in drawn if query is not None and _is_natural(query)), DRAWS):
             if not self._is_named(inner, words, targets):
                 continue
-            for path in islice(self._numbers(study, words, rng), NUMBERS):
-                query = self._worth(inner, path, study, rng)
+            for path in islice(self._draw_number_paths(study, words, rng), NUMBERS):
+                query = self._compose_query(inner, path, study, rng)
                 if query is not None:
                     return query
         return None
 
-    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _draw_number_paths(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return the addresses of numbers that may vary, in random order; by default all that have names."""
         del study
         paths = list(words.named)
@@ -100,7 +100,7 @@ class NestedKind(Kind):
         return not name.startswith(AWKWARD)
 
     @abstractmethod
-    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
+    def _compose_query(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query about an inner query and a number; None if it is not worth asking."""
 
     def of_motion(self, query: Query) -> bool:
@@ -135,7 +135,7 @@ def inner_of(query: Query) -> Query:
     return query.inner
 
 
-def stripped(inner: Query) -> Query:
+def without_target_and_moment(inner: Query) -> Query:
     """Return a query without its target and moment, which the nested query has itself."""
     return replace(inner, target=None, moment=None)
 

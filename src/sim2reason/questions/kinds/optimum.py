@@ -13,9 +13,9 @@ from sim2reason.questions.kinds.nested import (
     NestedQuery,
     inner_of,
     is_plain,
-    stripped,
     usable_answer,
     variant_certification_gap,
+    without_target_and_moment,
 )
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.study import COARSE_STEP_ERROR, SimulatedScene, change_directions
@@ -26,7 +26,7 @@ from sim2reason.simulation.trace import FINEST, Channel
 
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
 CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
-PLACES = 0.6  # of questions for an optimum: the share that asks for the number, not the extreme answer
+ARGUMENT_SHARE = 0.6  # of questions for an optimum: the share that asks for the number, not the extreme answer
 MIN_RELATIVE_CHANGE = (
     0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
 )
@@ -34,7 +34,7 @@ STRIDE = 6  # stride through the points of a range
 ASIDE = 0.15  # relative: distance on either side at which the second engine is compared
 WITNESS_RTOL = 2e-3  # relative: least difference of the answers there, so that the engines can resolve it
 RIGHT = 90.0  # degrees: a trivial optimum
-SAID = {True: ("greatest", "as large"), False: ("least", "as small")}
+EXTREME_WORDS = {True: ("greatest", "as large"), False: ("least", "as small")}
 EXTREMES = "greatest", "least"  # words that a noun phrase must not contain to ask for its extreme
 
 
@@ -62,7 +62,7 @@ class OptimumQuery(NestedQuery):
     def _found(self, study: SimulatedScene, error: float) -> StationaryValue | None:
         point = ExtremeSearch(AnswerFunction(self.inner, study, self.path, error))
         if self.about:
-            extreme = point.near(self.about, greatest=self.greatest)
+            extreme = point.find_extreme_near(self.about, greatest=self.greatest)
             if extreme is not None:
                 return extreme
         extreme = point.among(usual_values(study, self.path))
@@ -71,7 +71,7 @@ class OptimumQuery(NestedQuery):
     def place(self, study: SimulatedScene) -> float | None:
         """Return the optimal value of the number in a scene; None if there is none."""
         extreme = self.extreme(study)
-        return extreme.place if extreme is not None else None
+        return extreme.argument if extreme is not None else None
 
 
 @kind
@@ -89,10 +89,10 @@ class OptimumKind(NestedKind):
         if study.mechanism is not study.scene.mechanism:
             return None
         inners = self._drawn(study, words, targets, rng)
-        paths = list(self._numbers(study, words, rng)) if inners else []
+        paths = list(self._draw_number_paths(study, words, rng)) if inners else []
         pairs = [(inner, path) for path in paths for inner in inners if _turns(inner, path, study)]
         order: list[int] = rng.permutation(len(pairs)).tolist()
-        queries = (self._worth(*pairs[number], study, rng) for number in order[:CLOSELY])
+        queries = (self._compose_query(*pairs[number], study, rng) for number in order[:CLOSELY])
         return next((query for query in queries if query is not None), None)
 
     def _drawn(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
@@ -105,7 +105,7 @@ class OptimumKind(NestedKind):
                     queries[inner] = None
         return list(queries)
 
-    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _draw_number_paths(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return addresses of numbers that the text may leave unknown, angles and lengths first."""
         return [unknown.path for unknown in sorted(draw_unknowns(words.unknowns, study.scene, rng), key=_is_no_shape)]
 
@@ -113,23 +113,25 @@ class OptimumKind(NestedKind):
         """Return whether a phrase does not itself name an extreme value."""
         return super()._can_be_about(name) and not any(word in name for word in EXTREMES)
 
-    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
+    def _compose_query(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query with a distinct, smooth extreme in the usual range; None if there is none."""
         values = usual_values(study, path)
         answers = AnswerFunction(inner, study, path, COARSE_STEP_ERROR)
         rough = ExtremeSearch(answers).among(values) if len(values) > 2 else None
         unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
-        right = unit == "deg" and rough is not None and abs(rough.place - RIGHT) < 1.0
-        if rough is None or right or not is_usual(study.scene, path, rough.place) or rough.value <= _least(inner):
+        right = unit == "deg" and rough is not None and abs(rough.argument - RIGHT) < 1.0
+        if rough is None or right or not is_usual(study.scene, path, rough.argument) or rough.value <= _least(inner):
             return None
         ends = [answers(values[0]), answers(values[-1])]
         if any(end is None or not _is_clear(rough, end) for end in ends):
             return None
-        sides = [answers.course(rough.place * (1.0 + side)) for side in (-ASIDE, 0.0, ASIDE)]
+        sides = [answers.course(rough.argument * (1.0 + side)) for side in (-ASIDE, 0.0, ASIDE)]
         if None in sides or sides[0] != sides[1] or sides[1] != sides[2]:
             return None
-        query = OptimumQuery(self.name, inner.target, inner.moment, stripped(inner), path, unit, rough.greatest)
-        query = replace(query, asks_place=bool(rng.random() < PLACES), about=rough.place)
+        query = OptimumQuery(
+            self.name, inner.target, inner.moment, without_target_and_moment(inner), path, unit, rough.greatest
+        )
+        query = replace(query, asks_place=bool(rng.random() < ARGUMENT_SHARE), about=rough.argument)
         optimum = query.place(study)
         return replace(query, about=optimum) if optimum is not None else None
 
@@ -139,7 +141,7 @@ class OptimumKind(NestedKind):
         extreme = query.extreme(study)
         if extreme is None:
             return None
-        return extreme.place if query.asks_place else extreme.value
+        return extreme.argument if query.asks_place else extreme.value
 
     def with_likely_answer(self, query: Query, answer: float) -> Query:
         """Return a query that contains the likely optimum."""
@@ -177,10 +179,10 @@ class OptimumKind(NestedKind):
         if any((answer > extreme.value) is query.greatest and answer != extreme.value for answer in seen):
             return "elsewhere the answer is beyond the extreme"
         for side in (-ASIDE, 0.0, ASIDE):
-            value = answers(extreme.place * (1.0 + side))
+            value = answers(extreme.argument * (1.0 + side))
             if value is None or (side and abs(value / extreme.value - 1.0) < WITNESS_RTOL):
                 return "the extreme is too flat to be told"
-            other = study.with_same_change({query.path: extreme.place * (1.0 + side)})
+            other = study.with_same_change({query.path: extreme.argument * (1.0 + side)})
             if (
                 reason := variant_certification_gap(query.inner, other)
                 if other is not None
@@ -202,9 +204,9 @@ class OptimumKind(NestedKind):
                 shape
                 for phrase, name in pairs
                 for shape in (
-                    f"find {_valued(phrase)} for which {name} is {extreme}.",
+                    f"find {_value_phrase(phrase)} for which {name} is {extreme}.",
                     f"what must {phrase} be for {name} to be as {size} as possible?",
-                    f"determine {_valued(phrase)} that makes {name} as {size} as possible.",
+                    f"determine {_value_phrase(phrase)} that makes {name} as {size} as possible.",
                 )
             )
         return tuple(
@@ -233,7 +235,7 @@ class OptimumKind(NestedKind):
                     self.name,
                     inner.target,
                     inner.moment,
-                    stripped(inner),
+                    without_target_and_moment(inner),
                     unknown.path,
                     unknown.unit,
                     greatest,
@@ -282,6 +284,6 @@ def _least(inner: Query) -> float:
     return KINDS[inner.kind].measured(inner).least
 
 
-def _valued(phrase: str) -> str:
+def _value_phrase(phrase: str) -> str:
     """Return the noun phrase for a value: *the mass of block A*, *the value of m*."""
     return phrase if phrase.startswith("the ") else f"the value of {phrase}"

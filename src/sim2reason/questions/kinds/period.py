@@ -8,10 +8,10 @@ from math import inf, pi
 import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, kind
-from sim2reason.questions.phrasing import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
+from sim2reason.questions.phrasing import COUNTS, PeriodQuery, attracted_by, moving_body_phrases, noun_of, sentences
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.recurrence import Repetition
-from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolved
+from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolve_name
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
@@ -54,7 +54,7 @@ class PeriodKind(Kind):
         """Return a query for the period of the motion or of small oscillations; the latter only if the two differ."""
         del targets
         motion = self._repeating(study, words, rng)
-        if motion is not None and _off(study.mechanism, self.time(motion, study) or 0.0) <= WITHIN:
+        if motion is not None and _period_discrepancy(study.mechanism, self.time(motion, study) or 0.0) <= WITHIN:
             return motion
         small = self._small(study, words, rng)
         return motion if small is None or (motion is not None and rng.random() < EVEN) else small
@@ -82,13 +82,13 @@ class PeriodKind(Kind):
 
     def _repeating(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
         """Return a query for a periodic motion whose period is not nearly that of small oscillations; else None."""
-        names = list(movers(words)) if steady(study.mechanism) else []
+        names = list(moving_body_phrases(words)) if steady(study.mechanism) else []
         heavy = [name for name in names if study.mechanism.body[name].mass]
         names = heavy if len(heavy) == 1 else names
         rng.shuffle(names)
         for name in names:
             time = study.time(Repetition(name))
-            if time is None or WITHIN < _off(study.mechanism, time) < BEYOND:
+            if time is None or WITHIN < _period_discrepancy(study.mechanism, time) < BEYOND:
                 continue
             measure = "period" if attracted_by(words.mechanism, name) else _measure(words, rng, 2)
             return PeriodQuery(self.name, None, None, measure, of=(name,))
@@ -170,18 +170,20 @@ class PeriodKind(Kind):
             modes = _modes(study.mechanism)
             count = len(modes.frequencies) if modes is not None else 1
             return PeriodQuery(self.name, None, None, asked.find, small=True, modes=count, of=self._of(asked, words))
-        return PeriodQuery(self.name, None, None, asked.find, of=(resolved("of", asked.of, movers(words)),))
+        return PeriodQuery(
+            self.name, None, None, asked.find, of=(resolve_name("of", asked.of, moving_body_phrases(words)),)
+        )
 
     @staticmethod
     def _of(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-        return (resolved("of", asked.of, movers(words)),) if asked.of else ()
+        return (resolve_name("of", asked.of, moving_body_phrases(words)),) if asked.of else ()
 
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every measure and mode of every body that a sentence names."""
         del study, targets
         if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):
             return
-        called = movers(words)
+        called = moving_body_phrases(words)
         named = [name for name, phrase in called.items() if phrase in text]
         pairs = [two for two in combinations(called, 2) if pair(called[two[0]], called[two[1]]) in text]
         groups: list[tuple[str, ...]] = [(), *((name,) for name in named), *pairs]
@@ -208,12 +210,12 @@ def _measure(words: Words, rng: np.random.Generator, count: int = 3) -> str:
 def _oscillating(words: Words, *, free: bool) -> tuple[str, ...] | None:
     """Return the bodies to which small oscillations are attributed: one, two or, as empty, all; None if unclear."""
     mechanism = words.mechanism
-    heavy = tuple(n for n in movers(words) if mechanism.body[n].mass and not is_pulley_wheel(mechanism, n))
+    heavy = tuple(n for n in moving_body_phrases(words) if mechanism.body[n].mass and not is_pulley_wheel(mechanism, n))
     if free:
         return heavy if len(heavy) == 2 else None
     if len(heavy) == 1:
         return heavy
-    arms = tuple(n for n in words.called(TurningBodies()) if mechanism.body[n].mass == 0.0)
+    arms = tuple(n for n in words.subject_phrases(TurningBodies()) if mechanism.body[n].mass == 0.0)
     return arms if len(arms) == len(mechanism.coordinates) == 1 else ()
 
 
@@ -223,7 +225,7 @@ def _is_simple_pendulum(mechanism: Mechanism) -> bool:
     return len(heavy) == 1 and not (any(heavy[0].inertia) or springs or mechanism.forces or mechanism.faces)
 
 
-def _off(mechanism: Mechanism, period: float) -> float:
+def _period_discrepancy(mechanism: Mechanism, period: float) -> float:
     """Return the relative difference of a period from that of small oscillations; 1 unless these have a single mode."""
     modes = _modes(mechanism)
     if modes is None or len(modes.frequencies) != 1:

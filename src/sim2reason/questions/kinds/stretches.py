@@ -17,9 +17,9 @@ from sim2reason.questions.kinds import Kind, Measured, kind, moments_by_cause
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.reached import moment_of
 from sim2reason.questions.moments.times import AtTime, WholeMotion
-from sim2reason.questions.phrasing import again, asking
+from sim2reason.questions.phrasing import question_sentences, use_pronoun
 from sim2reason.questions.query import Noun, Query, Target, Targets
-from sim2reason.questions.structured import StructuredQuestion, resolved
+from sim2reason.questions.structured import StructuredQuestion, resolve_name
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import Array
@@ -57,21 +57,21 @@ class StretchKind(Kind):
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a random functional of the motion that is worth asking; None if there is none."""
         del targets
-        offers = any(True for _ in self._offered(words))
-        return self._to(_ends(study, words, rng), study, words, rng) if offers else None
+        offers = any(True for _ in self._functional_subjects(words))
+        return self._compose_query(_ends(study, words, rng), study, words, rng) if offers else None
 
     def at(
         self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a functional over the interval that ends with the moment; None without one."""
         del targets
-        return self._to([moment], study, words, rng)
+        return self._compose_query([moment], study, words, rng)
 
-    def _to(
+    def _compose_query(
         self, ends: Iterable[Moment], study: SimulatedScene, words: Words, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a functional over an interval with one of the given ends; None without one."""
-        offered = [pair for pair in self._offered(words) if pair[0].drawn_by_recipes]
+        offered = [pair for pair in self._functional_subjects(words) if pair[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
         for _ in range(MAX_FUNCTIONALS):
@@ -85,16 +85,16 @@ class StretchKind(Kind):
             ends, these = tee(ends)  # no end is looked for before it is needed
             for moment in islice(_fitting(these, functional, words, name), ENDS):
                 query = StretchQuery(self.name, None, moment, functional.name, name)
-                if self._worth(query, study):
+                if self._is_worth_asking(query, study):
                     return query
         return None
 
-    def _offered(self, words: Words) -> Iterator[tuple[Functional, str]]:
+    def _functional_subjects(self, words: Words) -> Iterator[tuple[Functional, str]]:
         for functional in functionals(self.name):
             yield from ((functional, name) for name in nouns(functional, words))
 
-    def _worth(self, query: StretchQuery, study: SimulatedScene) -> bool:
-        functional, end, answer = FUNCTIONALS[query.functional], _end(query, study), _value(query, study)
+    def _is_worth_asking(self, query: StretchQuery, study: SimulatedScene) -> bool:
+        functional, end, answer = FUNCTIONALS[query.functional], _end_time(query, study), _value(query, study)
         if end is None or answer is None or not answer > functional.least:
             return False
         return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
@@ -120,7 +120,7 @@ class StretchKind(Kind):
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the value of the functional, also an extreme at an end of the interval."""
         assert isinstance(query, StretchQuery)
-        value, end = _value(query, study), _end(query, study)
+        value, end = _value(query, study), _end_time(query, study)
         if value is not None or end is None:
             return value
         return FUNCTIONALS[query.functional].loose_value(study.trace, query.name, end)
@@ -138,7 +138,7 @@ class StretchKind(Kind):
             dict.fromkeys(
                 shape
                 for when in functional.when(moment, words, query.name)
-                for shape in asking(target, called, when, again(moment, called.phrase, when, words))
+                for shape in question_sentences(target, called, when, use_pronoun(moment, called.phrase, when, words))
                 if not (when in ADVERBS and shape.startswith(when))  # *in all, what is …?*
             )
         )
@@ -152,7 +152,7 @@ class StretchKind(Kind):
         if moment is None or named is None or self.whole:
             return ()
         whens = [when for when in functional.when(moment, words, query.name) if when not in ADVERBS]
-        return tuple(f"{named.phrase} {again(moment, named.phrase, when, words)}" for when in whens)
+        return tuple(f"{named.phrase} {use_pronoun(moment, named.phrase, when, words)}" for when in whens)
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of all functionals that apply to a subject of the scene."""
@@ -165,19 +165,19 @@ class StretchKind(Kind):
         """
         del study
         functional, moment = FUNCTIONALS[asked.find], WholeMotion(asked.find in PLACELESS, not self.ends_matter)
-        called = words.called(functional.of)
+        called = words.subject_phrases(functional.of)
         names = {name: called.get(name, name) for name in functional.of.names(words.mechanism)}
         named = moment_of(asked, words) if asked.when else moment
         end = moment if isinstance(named, WholeMotion) else named
-        return StretchQuery(self.name, None, end, functional.name, resolved("of", asked.of, names))
+        return StretchQuery(self.name, None, end, functional.name, resolve_name("of", asked.of, names))
 
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every functional, subject and moment that a sentence names."""
         del targets
         mentioned = [
             (functional, name)
-            for functional, name in self._offered(words)
-            if nouns(functional, words)[name].heard(text)
+            for functional, name in self._functional_subjects(words)
+            if nouns(functional, words)[name].occurs_in(text)
         ]
         if not mentioned:
             return
@@ -213,7 +213,7 @@ def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
 
 @lru_cache(maxsize=32)
 def _value(query: StretchQuery, study: SimulatedScene) -> float | None:
-    functional, end = FUNCTIONALS[query.functional], _end(query, study)
+    functional, end = FUNCTIONALS[query.functional], _end_time(query, study)
     if end is None or query.name not in functional.of.names(study.mechanism):  # it is held in a changed mechanism
         return None
     return functional.value(study.trace, query.name, end)
@@ -223,7 +223,7 @@ def _fitting(ends: Iterable[Moment], functional: Functional, words: Words, name:
     return (moment for moment in ends if functional.when(moment, words, name))
 
 
-def _end(query: StretchQuery, study: SimulatedScene) -> float | None:
+def _end_time(query: StretchQuery, study: SimulatedScene) -> float | None:
     """Return the end of the interval, s, just before or at the moment; None if the moment does not occur."""
     if query.moment is None:
         return None

@@ -13,7 +13,7 @@ from sim2reason.questions.inversion import ThresholdSearch
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.structured import StructuredQuestion, resolved
+from sim2reason.questions.structured import StructuredQuestion, resolve_name
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import draw_unknowns, is_usual
 from sim2reason.questions.words import Words
@@ -21,8 +21,8 @@ from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.trace import FINEST, Channel
 
 SEARCH_RTOL = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
-FAR = 4.0  # factor: search distance for an incorrect answer
-ASKING = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
+WRONG_ANSWER_FACTOR = 4.0  # factor: search distance for an incorrect answer
+PUNCTUATION_BY_VERB = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
 SIDE = 5e-3  # relative: distance on either side at which the second engine is compared
 
 
@@ -93,7 +93,7 @@ class ThresholdKind(Kind):
         trial = query.trial(study)
         if study.mechanism is not study.scene.mechanism:
             return trial.close_to(query.about, SEARCH_RTOL) if study.change is not None and query.about else None
-        return trial.near(query.about) if query.about else trial.change()
+        return trial.find_change_near(query.about) if query.about else trial.change()
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; else None."""
@@ -112,7 +112,11 @@ class ThresholdKind(Kind):
     def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the threshold in a misread scene, searched for over a wide range."""
         assert isinstance(query, ThresholdQuery)
-        return query.trial(study).within(query.about, FAR) if study.change is not None and query.about else None
+        return (
+            query.trial(study).within(query.about, WRONG_ANSWER_FACTOR)
+            if study.change is not None and query.about
+            else None
+        )
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the start, t = 0, as the recorded motion does not determine the answer."""
@@ -179,7 +183,7 @@ class ThresholdKind(Kind):
             remedy = f"there are: {', '.join(spelled)}; or give what it makes so, such as --given 'velocity = 2 m/s'"
             raise TextError("when", f"{asked.when!r} is nothing that may happen or not", remedy)
         cls, subject = spelled[does], text.removesuffix(does).strip()
-        outcome = cls(resolved("when", subject or asked.of, cls.candidates(words)))
+        outcome = cls(resolve_name("when", subject or asked.of, cls.candidates(words)))
         unit = next(unknown.unit for unknown in words.unknowns if unknown.path == asked.find)
         trial = _shared_trial(study, outcome, asked.find)
         critical = trial.change() or 0.0
@@ -222,4 +226,4 @@ def _value(phrase: str) -> str:
 
 
 def _asking(limit: str) -> tuple[str, ...]:
-    return tuple(f"{verb} {limit}{end}" for verb, end in ASKING.items())
+    return tuple(f"{verb} {limit}{end}" for verb, end in PUNCTUATION_BY_VERB.items())

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.choices import (
+    draw_target,
     has_formula_of_time,
     is_constant,
     is_large_enough,
     is_worth_asking_at,
     only_falls,
-    pick,
 )
 from sim2reason.questions.kinds import Kind, Measured, ValueKind, draw_moment, kind, moments_by_cause
 from sim2reason.questions.moments import Happening, Moment
@@ -50,7 +50,7 @@ class EventKind(ValueKind):
         ]
         if moment.own:
             offered = [target for target in offered if target.subject in moment.subjects] or offered
-        target = pick(offered, rng, is_worth_asking_at(study, moment))
+        target = draw_target(offered, rng, is_worth_asking_at(study, moment))
         return Query(self.name, target, moment) if target is not None else None
 
 
@@ -77,7 +77,7 @@ class StartKind(ValueKind):
         if _one_line(mechanism) or _speeds_idle(mechanism):
             return None
         here, immediate = trace.at(0.0), [t for t in targets if QUANTITIES[t.quantity].immediate]
-        target = pick(immediate, rng, lambda target: is_large_enough(target.value(here), target, study))
+        target = draw_target(immediate, rng, lambda target: is_large_enough(target.value(here), target, study))
         if target is None:
             return None
         return Query(self.name, target, AllAlong() if is_constant(target, trace) else AtStart())
@@ -133,7 +133,7 @@ class StateKind(ValueKind):
     ) -> Query | None:
         """Return a query for a quantity that differs from its initial value at the moment; None if there is none."""
         del words
-        target = pick(targets, rng, is_worth_asking_at(study, moment)) if moment.kind == self.name else None
+        target = draw_target(targets, rng, is_worth_asking_at(study, moment)) if moment.kind == self.name else None
         return Query(self.name, target, moment) if target is not None else None
 
 
@@ -151,7 +151,7 @@ class TimeToEventKind(Kind):
         def wanted(moment: Happening) -> bool:
             return moment.clause(words) is not None and not moment.is_plain(study)
 
-        moment = draw_moment(_happenings(), study, words, rng, wanted)
+        moment = draw_moment(_event_classes(), study, words, rng, wanted)
         return Query(self.name, None, moment) if moment is not None else None
 
     def at(
@@ -221,9 +221,9 @@ class TimeToEventKind(Kind):
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every event that a sentence names."""
         del targets
-        for cls in _happenings():
+        for cls in _event_classes():
             yield from (Query(self.name, None, moment) for moment in cls.parsed(text, study.trace, words))
 
 
-def _happenings() -> list[type[Happening]]:
+def _event_classes() -> list[type[Happening]]:
     return [cls for cls in moments_by_cause() if issubclass(cls, Happening)]

@@ -14,11 +14,11 @@ from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 
-TIME = "time_to_event"
+TIME_KIND = "time_to_event"
 FIRST, AGAIN = "first ", " for the first time"
 PAIRS = 4  # pairs examined in one draw
 PROPORTION = 1e-6  # relative: a smaller difference of speed ratios is rounding
-OTHERS = 3  # further events examined in one draw
+MAX_OTHER_EVENTS = 3  # further events examined in one draw
 
 
 @kind
@@ -36,13 +36,15 @@ class WhichFirstKind(WhichKind):
         def wanted(moment: Happening) -> bool:
             return _clause(moment, words) is not None and not moment.is_plain(study)
 
-        moment = draw_moment(_happenings(), study, words, rng, wanted)
+        moment = draw_moment(_event_classes(), study, words, rng, wanted)
         if moment is None:
             return None
         offered = [other for other in type(moment).found(study, words, rng) if wanted(other)]
         same = [other.having([value for value, _ in moment.stated]) for other in offered]
-        draws = 0 if moment.stated or _moves_as_one(study) else OTHERS  # else what happens first is a matter of places
-        further = (draw_moment(_happenings(), study, words, rng, wanted) for _ in range(draws))
+        draws = (
+            0 if moment.stated or _moves_as_one(study) else MAX_OTHER_EVENTS
+        )  # else what happens first is a matter of places
+        further = (draw_moment(_event_classes(), study, words, rng, wanted) for _ in range(draws))
         others = [*_shuffled(same, rng)[:PAIRS], *(other for other in further if other and not other.stated)]
         for other in others:
             if set(moment.subjects).isdisjoint(other.subjects) and study.time(other) is not None:
@@ -109,7 +111,7 @@ class WhichFirstKind(WhichKind):
         del targets
         if not text.lower().startswith(("which ", "find which ", "determine which ")):
             return
-        moments = [moment for cls in _happenings() for moment in cls.parsed(text, study.trace, words)]
+        moments = [moment for cls in _event_classes() for moment in cls.parsed(text, study.trace, words)]
         named = [moment for moment in dict.fromkeys(moments) if _is_named(moment, text, words)]
         yield from (self.oriented(_query(*pair), study) for pair in combinations(named, 2))
 
@@ -125,10 +127,10 @@ def _moves_as_one(study: SimulatedScene) -> bool:
 
 
 def _query(first: Moment, second: Moment) -> WhichQuery:
-    return WhichQuery(WhichFirstKind.name, None, first, TIME, Query(TIME, None, second))
+    return WhichQuery(WhichFirstKind.name, None, first, TIME_KIND, Query(TIME_KIND, None, second))
 
 
-def _happenings() -> list[type[Happening]]:
+def _event_classes() -> list[type[Happening]]:
     return [cls for cls in moments_by_cause() if issubclass(cls, Happening)]
 
 

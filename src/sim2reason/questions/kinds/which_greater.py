@@ -18,9 +18,9 @@ from sim2reason.simulation.trace import Channel
 
 DISTANCE = "distance between {} and its starting point"
 INNER = ("state", "event", "start")
-HAS = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
+PROPERTY_PREDICATES = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
 """Comparative phrases for the subject with the greater value of a quantity, where English has one."""
-LEAST = 1.1  # ratio: smaller ones are not worth asking for
+MIN_RATIO = 1.1  # ratio: smaller ones are not worth asking for
 GREATEST = 30.0  # ratio: larger ones are not worth asking for
 MAGNITUDE = "magnitude of the "
 
@@ -35,7 +35,7 @@ class WhichGreaterKind(WhichKind):
 
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a quantity of two subjects at one moment; None if there is none."""
-        offered = {target: targets[target] for group in _alike(targets) for target in group}
+        offered = {target: targets[target] for group in _groups_by_quantity(targets) for target in group}
         shares = np.array([KINDS[name].share for name in INNER])
         order: list[int] = rng.choice(len(INNER), len(INNER), replace=False, p=shares / shares.sum()).tolist()
         for name in (INNER[number] for number in order) if offered else ():
@@ -70,15 +70,15 @@ class WhichGreaterKind(WhichKind):
     def measured(self, query: Query) -> Measured:
         """Return the quantity, unit and least value of the answer: a ratio, without unit, of at least 1.1."""
         del query
-        return Measured("ratio", "", least=LEAST)
+        return Measured("ratio", "", least=MIN_RATIO)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
         """Return the names of both subjects if the quantity belongs to each, or both noun phrases; else None."""
         nouns = _nouns(query, words)
         if nouns is None:
             return None
-        first, second = (_parted(*pair, words) for pair in zip(query.both, nouns, strict=True))
-        if first is None or second is None or first[1] != second[1] or _tail(first[2], second[2]) is None:
+        first, second = (_split_phrase(*pair, words) for pair in zip(query.both, nouns, strict=True))
+        if first is None or second is None or first[1] != second[1] or _phrase_tail(first[2], second[2]) is None:
             return nouns[0].phrase, nouns[1].phrase
         return first[0], second[0]
 
@@ -87,10 +87,10 @@ class WhichGreaterKind(WhichKind):
         names, nouns = self.names(query, words), _nouns(query, words)
         if names is None or nouns is None or names[0] == nouns[0].phrase:
             return None
-        first, second = (_parted(*pair, words) for pair in zip(query.both, nouns, strict=True))
+        first, second = (_split_phrase(*pair, words) for pair in zip(query.both, nouns, strict=True))
         assert first is not None
         assert second is not None
-        return first[1], _tail(first[2], second[2]) or ""
+        return first[1], _phrase_tail(first[2], second[2]) or ""
 
     def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
         """Return an option such as *block A, by a factor of 1.41*."""
@@ -102,7 +102,7 @@ class WhichGreaterKind(WhichKind):
         """Return a clause such as *block A has the greater kinetic energy, by a factor of*."""
         name, *_ = self.names(query, words) or ("it",)
         named = self._property(query, words)
-        return f"{name} {_has(*named) if named is not None else 'is the greater'}, by a factor of"
+        return f"{name} {_property_predicate(*named) if named is not None else 'is the greater'}, by a factor of"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return the forms of the question: *which of A and B has the greater speed, and by what factor?*."""
@@ -114,7 +114,11 @@ class WhichGreaterKind(WhichKind):
         sentences, named = list[str](), self._property(query, words)
         for _, first, second in self.orders(query, words):
             for when in whens:
-                sentences += _of_two(first, second, _has(*named), when) if named else _of_nouns(first, second, when)
+                sentences += (
+                    _of_two(first, second, _property_predicate(*named), when)
+                    if named
+                    else _of_nouns(first, second, when)
+                )
         return tuple(dict.fromkeys(sentences))
 
     def finds(self, words: Words) -> tuple[str, ...]:
@@ -138,9 +142,11 @@ class WhichGreaterKind(WhichKind):
         del targets
         if not text.lower().startswith(("which ", "determine which ")):
             return
-        for group in _alike({t: noun for t, noun in _all(words).items() if _is_named(t, noun, text, words)}):
+        for group in _groups_by_quantity(
+            {t: noun for t, noun in _all_targets(words).items() if _is_named(t, noun, text, words)}
+        ):
             for name in INNER:
-                parsed_queries = KINDS[name].parsed(text, study, words, {t: _all(words)[t] for t in group})
+                parsed_queries = KINDS[name].parsed(text, study, words, {t: _all_targets(words)[t] for t in group})
                 of_moment = sorted(parsed_queries, key=lambda query: repr(query.moment))
                 for _, queries in groupby(of_moment, key=lambda query: repr(query.moment)):
                     yield from (self.oriented(_query(*pair), study) for pair in combinations(dict.fromkeys(queries), 2))
@@ -150,16 +156,16 @@ def _query(first: Query, second: Query) -> WhichQuery:
     return WhichQuery(WhichGreaterKind.name, first.target, first.moment, first.kind, second)
 
 
-def _all(words: Words) -> Targets:
+def _all_targets(words: Words) -> Targets:
     return targets(words)
 
 
 def _is_of_moment(noun: Noun) -> bool:
     """Return whether a phrase names a value at a moment, not a constant or a change over an interval."""
-    return not (noun.timeless or noun.over or noun.phrase.startswith(AWKWARD))
+    return not (noun.timeless or noun.interval_phrase or noun.phrase.startswith(AWKWARD))
 
 
-def _alike(offered: Targets) -> Iterator[list[Target]]:
+def _groups_by_quantity(offered: Targets) -> Iterator[list[Target]]:
     """Yield groups of targets that share one quantity."""
     sizes = [target for target, noun in offered.items() if target.sense is None and _is_of_moment(noun)]
     for name in dict.fromkeys(target.quantity for target in sizes):
@@ -169,18 +175,18 @@ def _alike(offered: Targets) -> Iterator[list[Target]]:
 
 
 def _nouns(query: WhichQuery, words: Words) -> tuple[Noun, Noun] | None:
-    nouns = [_all(words).get(each.target) for each in query.both if each.target is not None]
+    nouns = [_all_targets(words).get(each.target) for each in query.both if each.target is not None]
     first, second = nouns if len(nouns) > 1 else (None, None)
     return (first, second) if first is not None and second is not None else None
 
 
-def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | None:
+def _split_phrase(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | None:
     """Return a phrase's subject, property and rest: *block A*, *speed*, *relative to the ground*; None if it has none.
 
     The name must not hold an *and*, which would be misunderstood between two names.
     """
     assert query.target is not None
-    called = words.called(QUANTITIES[query.target.quantity].of)[query.target.subject]
+    called = words.subject_phrases(QUANTITIES[query.target.quantity].of)[query.target.subject]
     if " and " in called:
         return None
     if (far := f"the {DISTANCE.format(called)}") in noun.phrase:
@@ -190,11 +196,11 @@ def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | No
 
 
 def _is_named(target: Target, noun: Noun, text: str, words: Words) -> bool:
-    parts = _parted(Query("", target), noun, words)
+    parts = _split_phrase(Query("", target), noun, words)
     return noun.phrase in text or (parts is not None and parts[0] in text)
 
 
-def _tail(first: str, second: str) -> str | None:
+def _phrase_tail(first: str, second: str) -> str | None:
     """Return the words after the property of both phrases, such as *relative to the ground*; None if they differ."""
     return first or second if first == second or not (first and second) else None
 
@@ -208,11 +214,11 @@ def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
     )
 
 
-def _has(named: str, tail: str) -> str:
+def _property_predicate(named: str, tail: str) -> str:
     """Return a predicate such as *is faster* or *has the greater kinetic energy*."""
     if named.startswith(MAGNITUDE):
         return f"has the {named.removeprefix(MAGNITUDE)} of greater magnitude{tail}"
-    return f"{HAS.get(named, f'has the greater {named}')}{tail}"
+    return f"{PROPERTY_PREDICATES.get(named, f'has the greater {named}')}{tail}"
 
 
 def _of_nouns(first: str, second: str, when: str) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLin
 from sim2reason.simulation.trace import Channel, Trace
 
 STRAIGHT_UP = 180.0  # degrees
-FEWEST = 10.0  # degrees: least amplitude of a swing, and least distance from its ends
+MIN_SWING_ANGLE = 10.0  # degrees: least amplitude of a swing, and least distance from its ends
 
 
 @MOMENTS.register("deflected")
@@ -39,7 +39,7 @@ class Deflected(Threshold):
         """Return a random angle within the swing, a multiple of 5° (10° from 100° on); None if there is none."""
         angles = Deflection.evaluate(trace.scan, name)
         low, high = float(np.nanmin(angles)), float(np.nanmax(angles))
-        if high - low < FEWEST:
+        if high - low < MIN_SWING_ANGLE:
             return None
         angle = rounded_as_written(5.0 * max(1, round((low + rng.uniform(0.15, 0.85) * (high - low)) / 5.0)))
         return angle if low < angle < high else None
@@ -76,7 +76,7 @@ class Deflected(Threshold):
 
 
 ALL_ROUND = 360
-PARTS = (90, 180, ALL_ROUND)  # degrees
+ORBIT_ANGLES = (90, 180, ALL_ROUND)  # degrees
 
 
 @MOMENTS.register("orbited")
@@ -98,7 +98,7 @@ class Orbited(Passage):
         mechanism = words.mechanism
         drawn = {frozenset((pull.a, pull.b)) for pull in mechanism.attractions}
         phrases: dict[str, str] = {}
-        for name, phrase in words.called(cls.of).items():
+        for name, phrase in words.subject_phrases(cls.of).items():
             still = [body for body in members(name) if not center_path(mechanism, body).ways]
             if len(still) == 1 and frozenset(members(name)) in drawn:
                 phrases[name] = phrase
@@ -108,7 +108,12 @@ class Orbited(Passage):
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments at which each orbiting body has turned through 90°, 180° and 360°, if they occur."""
         del rng
-        return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
+        return [
+            moment
+            for name in cls.candidates(words)
+            for part in ORBIT_ANGLES
+            if (moment := cls(name, part)).comes(study)
+        ]
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
@@ -116,7 +121,7 @@ class Orbited(Passage):
         del trace
         for name in cls.candidates(words):
             if cls(name).ends(words)[1] in text:
-                yield from (cls(name, part) for part in PARTS)
+                yield from (cls(name, part) for part in ORBIT_ANGLES)
 
     @property
     def requires_return(self) -> bool:
@@ -189,7 +194,7 @@ class TurnedThrough(Threshold):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies on one axle that do not roll, with their phrases."""
         turning = AngleTurned().subjects(words.mechanism)
-        return {name: phrase for name, phrase in words.called(cls.of).items() if name in turning}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if name in turning}
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:

@@ -12,7 +12,7 @@ from sim2reason.questions.moments.crossings import crossings
 from sim2reason.questions.moments.occurrence import Occurrence, VelocityJump, Verb
 from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.words import Words, ordinal, round_number
+from sim2reason.questions.words import Words, ordinal_word, round_number
 from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.kinematics import Velocity
@@ -37,7 +37,7 @@ class Bounced(VelocityJump):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that can hit only the ground, or only walls, with their phrases."""
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {name: phrase for name, phrase in called if obstacle_phrase(words, name)}
 
     def is_this(self, event: Event, trace: Trace) -> bool:
@@ -82,7 +82,7 @@ class Landed(Occurrence):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that fly and cannot go below the ground, with their phrases."""
         phrases: dict[str, str] = {}
-        for name, phrase in words.called(cls.of).items():
+        for name, phrase in words.subject_phrases(cls.of).items():
             body = words.mechanism.body[name]
             down = any(c.axis[2] > 1.0 - DIRECTION_TOL and c.lower > -inf for c in body.coordinates)
             if down and len(body.coordinates) > 1 and body.parent is None and name not in words.mechanism.contacts:
@@ -161,7 +161,7 @@ class TopAfterBounce(Occurrence):
     def does(self, words: Words) -> Verb:
         """Return the verb with the ordinal, as in *reaches the highest point after its second bounce*."""
         del words
-        count = ordinal(self.number)
+        count = ordinal_word(self.number)
         return Verb(self.verb.told.format(count=count), self.verb.asked.format(count=count))
 
     @property
@@ -202,7 +202,11 @@ class StayedBelow(DistanceThreshold):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
-        return {name: phrase for name, phrase in words.called(cls.of).items() if obstacle_phrase(words, name) == GROUND}
+        return {
+            name: phrase
+            for name, phrase in words.subject_phrases(cls.of).items()
+            if obstacle_phrase(words, name) == GROUND
+        }
 
     @property
     def channels(self) -> tuple[Channel, ...]:

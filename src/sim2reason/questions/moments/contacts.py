@@ -57,7 +57,7 @@ class EdgeLanded(VelocityJump):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that stand on edges."""
-        return {name: phrase for name, phrase in words.called(cls.of).items() if _edges(words.mechanism, name)}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if _edges(words.mechanism, name)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -108,7 +108,7 @@ class LiftedOff(Occurrence):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that burn fuel and stand on supports, which only push."""
         burns = {burn.body for burn in words.mechanism.burns}
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {name: phrase for name, phrase in called if name in burns and cls.seen_as(name, words)}
 
     @classmethod
@@ -145,7 +145,7 @@ class StoppedSlipping(SlipChange):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the rolling bodies and those on moving carriers, with their phrases."""
         mechanism = words.mechanism
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {n: phrase for n, phrase in called if can_roll(words, n) or mechanism.body[n].parent is not None}
 
     @classmethod
@@ -194,7 +194,7 @@ class Collided(VelocityJump):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the pairs of bodies that can collide, with their phrases."""
         met = {PAIR_SEPARATOR.join(meeting.names) for meeting in words.mechanism.meetings}
-        return {name: phrase for name, phrase in words.called(cls.of).items() if name in met}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if name in met}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -229,8 +229,8 @@ class Collided(VelocityJump):
         )
 
 
-STILL = 1e-9  # of the greatest speed: lower closing speeds are rounding
-FEWEST = 2  # least number of collisions for which *the last one* makes sense
+MIN_CLOSING_SPEED = 1e-9  # of the greatest speed: lower closing speeds are rounding
+MIN_COLLISIONS = 2  # least number of collisions for which *the last one* makes sense
 
 
 @MOMENTS.register("last_collision")
@@ -246,7 +246,7 @@ class LastCollision(Moment):
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moment if there are several collisions and a last one."""
         del words, rng
-        several = sum(event.kind == "collision" for event in study.trace.events) >= FEWEST
+        several = sum(event.kind == "collision" for event in study.trace.events) >= MIN_COLLISIONS
         return [moment] if several and study.time(moment := cls()) is not None else []
 
     @classmethod
@@ -267,7 +267,7 @@ class LastCollision(Moment):
 
     def in_symbols(self, trace: Trace) -> Moment:
         """Return the last collision as a numbered one of its bodies, as without numbers several may be last."""
-        if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
+        if len({meeting.names for meeting in trace.mechanism.meetings}) < MIN_COLLISIONS:
             return self
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
         one, *other = next(pair.names for pair in trace.mechanism.meetings if frozenset(pair.names) == met[-1])
@@ -290,7 +290,7 @@ def _is_over(trace: Trace) -> bool:
     fastest = float(np.abs(end.v).max(initial=0.0))
     if not moves_freely(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
         return False
-    return not any(_closes(end, meeting, STILL * fastest) for meeting in trace.mechanism.meetings)
+    return not any(_closes(end, meeting, MIN_CLOSING_SPEED * fastest) for meeting in trace.mechanism.meetings)
 
 
 def _closes(end: State, meeting: CollisionPair, still: float) -> bool:

@@ -24,12 +24,12 @@ from sim2reason.simulation.trace import Channel, Trace
 EventFunction = Callable[[State], Array]
 """A function of the state that is negative before and positive after what is looked for, (n,)."""
 
-SMALL = 1e-9  # of the function's largest value: smaller values are zero
-JUMP = 1e-12  # of the duration: a sign change within less is a jump at an event
-CLOSE = 0.1  # of the error of a step: accuracy of a crossing time
-ROUNDS = 16  # iterations of the refinement; three or four reach double precision
-FINE = 33  # instants in an interval where the function may touch zero
-_NEAR = 10.0 ** -np.arange(1.0, 9.0)
+ZERO_RTOL = 1e-9  # of the function's largest value: smaller values are zero
+EVENT_JUMP_RTOL = 1e-12  # of the duration: a sign change within less is a jump at an event
+CROSSING_TIME_RTOL = 0.1  # of the error of a step: accuracy of a crossing time
+MAX_ROOT_ITERATIONS = 16  # iterations of the refinement; three or four reach double precision
+TOUCH_SAMPLES = 33  # instants in an interval where the function may touch zero
+_START_FRACTIONS = 10.0 ** -np.arange(1.0, 9.0)
 
 
 def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
@@ -39,7 +39,7 @@ def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
     """
     times, values = _sampled(trace, excess)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
-    above, below = values >= 0.0, values < -SMALL * size
+    above, below = values >= 0.0, values < -ZERO_RTOL * size
     was_below = False
     for number in range(1, len(times)):
         was_below = was_below or bool(below[number - 1])
@@ -49,8 +49,8 @@ def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
         low, high = float(times[number - 1]), float(times[number])
         if values[number - 1] >= 0.0:
             continue  # it lost its value on the way, and has it again
-        if high - low <= JUMP * float(times[-1]):
-            if values[number] - values[number - 1] <= SMALL * size:
+        if high - low <= EVENT_JUMP_RTOL * float(times[-1]):
+            if values[number] - values[number - 1] <= ZERO_RTOL * size:
                 yield high  # an event, such as a turn, at which nothing jumps
         else:
             yield _refine_root(trace, excess, (low, float(values[number - 1])), (high, float(values[number])))
@@ -64,8 +64,8 @@ def first_crossing(trace: Trace, excess: EventFunction) -> float | None:
 def jumps(trace: Trace, excess: EventFunction) -> list[float]:
     """Return the times, s, in order, of events at which a function jumps from negative to positive."""
     times, values = trace.scan.times, excess(trace.scan)
-    small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
-    jumped = (np.diff(times) <= JUMP * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
+    small = ZERO_RTOL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    jumped = (np.diff(times) <= EVENT_JUMP_RTOL * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
     jump_times: list[float] = times[1:][jumped].tolist()
     return jump_times
 
@@ -74,8 +74,8 @@ def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
     """Return whether a function is zero at the start and positive when it first differs from zero."""
     values = excess(trace.scan)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
-    clear = values[np.abs(values) > SMALL * size]
-    return bool(abs(values[0]) <= SMALL * size and len(clear) and clear[0] > 0.0)
+    clear = values[np.abs(values) > ZERO_RTOL * size]
+    return bool(abs(values[0]) <= ZERO_RTOL * size and len(clear) and clear[0] > 0.0)
 
 
 def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
@@ -94,7 +94,7 @@ def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
     close = nearest[same & (np.abs(here) < 2.0 * rise)]
     if not len(close):
         return times, values
-    closer: list[Array] = [np.linspace(times[i], times[i + 2], FINE)[1:-1] for i in close.tolist()]
+    closer: list[Array] = [np.linspace(times[i], times[i + 2], TOUCH_SAMPLES)[1:-1] for i in close.tolist()]
     more: Array = np.setdiff1d(np.concatenate(closer), times)
     order = np.argsort(joined := np.concatenate([times, more]))
     return joined[order], np.concatenate([values, excess(trace.sample(more))])[order]
@@ -103,12 +103,14 @@ def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
 def _refine_root(trace: Trace, excess: EventFunction, low: tuple[float, float], high: tuple[float, float]) -> float:
     """Return the time, s, of a sign change between two instants, by the secant method with bracketing."""
     (a, fa), (b, fb) = low, high
-    for _ in range(ROUNDS):
+    for _ in range(MAX_ROOT_ITERATIONS):
         width = b - a
-        if width <= max(4e-16, CLOSE * trace.tolerance) * b:
+        if width <= max(4e-16, CROSSING_TIME_RTOL * trace.tolerance) * b:
             break
         guess = a - width * fa / (fb - fa)
-        around = np.concatenate([guess - width * _NEAR, [guess], guess + width * _NEAR, a + width * _EIGHTHS])
+        around = np.concatenate(
+            [guess - width * _START_FRACTIONS, [guess], guess + width * _START_FRACTIONS, a + width * _EIGHTHS]
+        )
         times = np.sort(np.clip(around, a, b))  # what is there twice does no harm
         values = excess(trace.sample(times))
         reached = int(np.argmax((values >= 0.0) | (times >= b)))
@@ -161,7 +163,7 @@ class Passage(VerbHappening):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the possible subjects, with their phrases."""
-        return dict(words.called(cls.of))
+        return dict(words.subject_phrases(cls.of))
 
     @property
     def subjects(self) -> tuple[str, ...]:
@@ -225,7 +227,7 @@ class Threshold(Passage):
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Yield a moment for every subject that a sentence names and every number in the quantity's unit."""
         del trace
-        numbers = words.heard(text, cls.unit)
+        numbers = words.find_numbers(text, cls.unit)
         for name, phrase in cls.candidates(words).items():
             if phrase in text:
                 yield from (cls(name, number) for number in numbers)
@@ -302,7 +304,7 @@ class FieldPassage(Passage):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies in suitable fields, with their phrases."""
-        called, mechanism = words.called(cls.of).items(), words.mechanism
+        called, mechanism = words.subject_phrases(cls.of).items(), words.mechanism
         return {name: phrase for name, phrase in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
 
     def time(self, trace: Trace) -> float | None:

@@ -16,11 +16,19 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.structure import may_turn_back
+from sim2reason.scenes.dsl.structure import may_reverse
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies, center_path, rides
+from sim2reason.simulation.quantities.subjects.bodies import (
+    AXES,
+    OPPOSITE,
+    RIGHT,
+    UP,
+    Bodies,
+    center_path,
+    moves_on_slider,
+)
 from sim2reason.simulation.trace import Trace
 
 SELDOM = 0.05
@@ -51,7 +59,7 @@ class Away(DistanceThreshold):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies with axes x and y in the text, with their phrases."""
         mechanism = words.mechanism
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {n: s for n, s in called if _has_axes(words, n) and not center_path(mechanism, n).straight}
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -127,8 +135,12 @@ class Moved(DistanceThreshold):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that move along one line and ride on no other body, with their phrases."""
         mechanism = words.mechanism
-        called = words.called(cls.of).items()
-        return {n: phrase for n, phrase in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
+        called = words.subject_phrases(cls.of).items()
+        return {
+            n: phrase
+            for n, phrase in called
+            if center_path(mechanism, n).straight and not moves_on_slider(mechanism, n)
+        }
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
@@ -162,7 +174,7 @@ class Moved(DistanceThreshold):
     def in_symbols(self, trace: Trace) -> Self:
         """Return the moment with the side of the start on which the body is, if it may turn back."""
         sense, time = self.sense(trace.mechanism), self.time(trace)
-        if sense is None or time is None or not may_turn_back(trace.mechanism):
+        if sense is None or time is None or not may_reverse(trace.mechanism):
             return self
         ahead = float((Displacement.evaluate(trace.at(time), self.name) @ np.array(sense.vector))[0]) > 0.0
         return replace(self, towards=1 if ahead else -1)
@@ -177,11 +189,9 @@ class Moved(DistanceThreshold):
     def told(self, words: Words, said: str) -> str:
         """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
-        return (
-            f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._moved(words)} {said}'}"
-        )
+        return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._motion_participle(words)} {said}'}"
 
-    def _moved(self, words: Words) -> str:
+    def _motion_participle(self, words: Words) -> str:
         """Return the participle for the motion: *risen* for a body that goes straight up, else *moved*."""
         return "risen" if goes_straight_up(words.mechanism, self.name) else "moved"
 
@@ -207,7 +217,7 @@ class Moved(DistanceThreshold):
         if self._may_return(words):
             there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
             return when_phrases(there)
-        moved = f"{self.subject(words)} has {self._moved(words)} {self.said(words)}"
+        moved = f"{self.subject(words)} has {self._motion_participle(words)} {self.said(words)}"
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 
     def clause(self, words: Words) -> Clause | None:
@@ -216,7 +226,7 @@ class Moved(DistanceThreshold):
         if self._may_return(words):
             there = self._there(words, f"first {distance}")
             return Clause(self.subject(words), "is", there, f"is {there}")
-        moved = self._moved(words)
+        moved = self._motion_participle(words)
         takes = "rise" if moved == "risen" else "move"
         return Clause(
             self.subject(words), "has", f"{moved} {distance}", f"has {moved} {distance}", f"to {takes} {distance}"
@@ -254,11 +264,11 @@ class Returned(Passage):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that ride on no other body, so that their starting points are fixed, with their phrases."""
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {
             name: cls.of.point(words.mechanism, name, phrase)
             for name, phrase in called
-            if not rides(words.mechanism, name)
+            if not moves_on_slider(words.mechanism, name)
         }
 
     def excess(self, state: State) -> Array:

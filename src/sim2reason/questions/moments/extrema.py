@@ -139,7 +139,9 @@ class Apsis(Peak):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the pairs of bodies that attract each other, with their phrases."""
         drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
-        pairs = {name: phrase for name, phrase in words.called(cls.of).items() if frozenset(members(name)) in drawn}
+        pairs = {
+            name: phrase for name, phrase in words.subject_phrases(cls.of).items() if frozenset(members(name)) in drawn
+        }
         rounds = {name: _one_round(words, name) for name in pairs}
         return {
             name: phrase if (one := rounds[name]) is None else words.mentions[one[0]] for name, phrase in pairs.items()
@@ -239,7 +241,7 @@ class TurningPoint(Peak):
         """Return the bodies that fly or swing, with their phrases, as slopes and lines have no highest point."""
         mechanism, phrases = words.mechanism, dict[str, str]()
         tied = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
-        for name, phrase in words.called(cls.of).items():
+        for name, phrase in words.subject_phrases(cls.of).items():
             path = center_path(mechanism, name)
             led = name in mechanism.contacts or (path.straight and name in tied)
             if any(mechanism.gravity) and path.rises and not led:

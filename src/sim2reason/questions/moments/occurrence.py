@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.questions.choices import REST_SPEED_RTOL, rest_speed
 from sim2reason.questions.moments import Clause, Happening
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.words import Words, numbers_of, ordinal
+from sim2reason.questions.words import Words, numbers_of, ordinal_word
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.quantities.subjects.interactions import Contacts
@@ -34,14 +34,14 @@ class Verb:
         """Return phrases such as *when A stops*; `number` counts repeated events and is None for a unique one."""
         if number == 1:
             first = f"{subject} first {self.told}"
-            return (f"when {first}", f"at the moment when {first}", f"when {self._counted(subject, 1)}")
-        happens = f"{subject} {self.told}" if number is None else self._counted(subject, number)
+            return (f"when {first}", f"at the moment when {first}", f"when {self._counted_phrase(subject, 1)}")
+        happens = f"{subject} {self.told}" if number is None else self._counted_phrase(subject, number)
         return when_phrases(happens)
 
     def sided(self, subject: str, number: int | None, *, after: bool) -> tuple[str, ...]:
         """Return phrases such as *just after A stops*; `number` is None for a unique event."""
         side = "after" if after else "before"
-        again = f"{subject} {self.told}" if number is None else self._counted(subject, number)
+        again = f"{subject} {self.told}" if number is None else self._counted_phrase(subject, number)
         return (
             f"just {side} {subject} first {self.told}" if number == 1 else f"at the moment just {side} {again}",
             f"just {side} {again}",
@@ -52,11 +52,11 @@ class Verb:
         """Return the clause for use after *how long after …*."""
         if number == 1:
             return Clause(subject, self.auxiliary, f"first {self.asked}", f"first {self.told}")
-        times = "" if number is None else f" for the {ordinal(number)} time"
+        times = "" if number is None else f" for the {ordinal_word(number)} time"
         return Clause(subject, self.auxiliary, self.asked + times, self.told + times)
 
-    def _counted(self, subject: str, number: int) -> str:
-        return f"{subject} {self.told} for the {ordinal(number)} time"
+    def _counted_phrase(self, subject: str, number: int) -> str:
+        return f"{subject} {self.told} for the {ordinal_word(number)} time"
 
 
 class VerbHappening(Happening):
@@ -120,7 +120,7 @@ class Occurrence(VerbHappening):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the possible subjects, with their phrases."""
-        return dict(words.called(cls.of))
+        return dict(words.subject_phrases(cls.of))
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -146,7 +146,7 @@ class Occurrence(VerbHappening):
 
     def subject(self, words: Words) -> str:
         """Return the phrase for the subject."""
-        return words.called(self.of)[self.name]
+        return words.subject_phrases(self.of)[self.name]
 
     def count(self, words: Words) -> int | None:
         """Return the event's number among those of its subject; None if it is unique."""

@@ -15,7 +15,7 @@ from sim2reason.questions.moments import Clause, Happening, Moment
 from sim2reason.questions.moments.crossings import Threshold, crossings
 from sim2reason.questions.moments.occurrence import when_phrases
 from sim2reason.questions.query import Target, quantities_named, target_named, targets
-from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
+from sim2reason.questions.structured import StructuredQuestion, moment_named, one_of, parse_amount
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number
 from sim2reason.scenes.dsl.state import Array, State
@@ -48,8 +48,8 @@ class DistanceThreshold(Threshold):
         return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
 
-AGAIN = "second "  # before an equation such as *speed of A = 2 m/s*: the second time that it holds
-_TIME = re.compile(r"(?:at\s+)?t\s*=")
+SECOND_TIME_PREFIX = "second "  # before an equation such as *speed of A = 2 m/s*: the second time that it holds
+_TIME_EQUATION = re.compile(r"(?:at\s+)?t\s*=")
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,9 @@ class Reached(Happening):
         del trace
         for target, noun in targets(words).items():
             if noun.phrase in text:
-                yield from (cls(target, given) for given in StatedResult.found(text, words.units.spell(target.unit)))
+                yield from (
+                    cls(target, given) for given in StatedResult.find_in_text(text, words.units.spell(target.unit))
+                )
 
     @property
     def subjects(self) -> tuple[str, ...]:
@@ -109,22 +111,22 @@ class Reached(Happening):
         """Return phrases such as *when the speed of A is 2.1 m/s for the first time*; none for an unnamed quantity."""
         if self.target not in targets(words) or self.number > 1:
             return ()
-        first = f"{self._noun(words)} is {self._said()} for the first time"
+        first = f"{self._noun(words)} is {self._value_text()} for the first time"
         return when_phrases(first)
 
     def clause(self, words: Words) -> Clause | None:
         """Return a clause such as *the speed of A is 2.1 m/s for the first time*; None for an unnamed quantity."""
         if self.target not in targets(words) or self.number > 1:
             return None
-        first = f"{self._said()} for the first time"
+        first = f"{self._value_text()} for the first time"
         return Clause(self._noun(words), "is", first, f"is {first}")
 
     def _noun(self, words: Words) -> str:
         return targets(words)[self.target].phrase
 
-    def _said(self) -> str:
+    def _value_text(self) -> str:
         sense = self.target.sense
-        return self.given.said + (
+        return self.given.text + (
             f" ({sense.positive} being positive)" if sense is not None and not sense.fixed else ""
         )
 
@@ -146,7 +148,7 @@ def stated(question: StructuredQuestion, equation: str, words: Words, field_name
     own = field_name == "when" and (bool(of) or not known[find].vector)
     named = replace(question, find=find, of=of or question.of, along=along or ("" if own else question.along))
     target = target_named(named, words)
-    return target, measured(field_name, right, words.units.spell(target.unit))
+    return target, parse_amount(field_name, right, words.units.spell(target.unit))
 
 
 def moment_of(question: StructuredQuestion, words: Words) -> Moment:
@@ -154,8 +156,8 @@ def moment_of(question: StructuredQuestion, words: Words) -> Moment:
 
     *second* before an equation is the second time that the quantity passes through the value.
     """
-    if "=" not in question.when or _TIME.match(question.when):
+    if "=" not in question.when or _TIME_EQUATION.match(question.when):
         return moment_named(question, words)
-    again = question.when.startswith(AGAIN)
-    target, value = stated(question, question.when.removeprefix(AGAIN), words, "when")
+    again = question.when.startswith(SECOND_TIME_PREFIX)
+    target, value = stated(question, question.when.removeprefix(SECOND_TIME_PREFIX), words, "when")
     return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)), 2 if again else 1)

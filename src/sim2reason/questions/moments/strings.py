@@ -77,7 +77,7 @@ class MostStretched(SpringTurn):
         return 1.0
 
 
-RELAXED = 1e-9  # of the natural length: smaller extensions are zero
+RELAXED_RTOL = 1e-9  # of the natural length: smaller extensions are zero
 
 
 @MOMENTS.register("natural_length")
@@ -95,12 +95,12 @@ class NaturalLength(Passage):
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments of springs that are strained at the start."""
         del rng
-        strained = (cls(name) for name in cls.candidates(words) if not _relaxed(words.mechanism, name))
+        strained = (cls(name) for name in cls.candidates(words) if not _is_relaxed_at_start(words.mechanism, name))
         return [moment for moment in strained if moment.comes(study)]
 
     def does(self, words: Words) -> Verb:
         """Return the verb *has its natural length*, with *again* if that holds at the start."""
-        return self.again if _relaxed(words.mechanism, self.name) else self.verb
+        return self.again if _is_relaxed_at_start(words.mechanism, self.name) else self.verb
 
     def excess(self, state: State) -> Array:
         """Return the extension, m, (n,)."""
@@ -117,8 +117,8 @@ class NaturalLength(Passage):
         return self.channels
 
 
-def _relaxed(mechanism: Mechanism, name: str) -> bool:
+def _is_relaxed_at_start(mechanism: Mechanism, name: str) -> bool:
     """Return whether a spring has its natural length at the start."""
     line = mechanism.line[name]
     assert isinstance(line.law, Elastic)
-    return abs(initial_frames(mechanism).length(line) - line.law.length) <= RELAXED * line.law.length
+    return abs(initial_frames(mechanism).length(line) - line.law.length) <= RELAXED_RTOL * line.law.length

@@ -91,7 +91,7 @@ class AtTime(Moment):
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Yield a moment for every number of seconds in a sentence."""
         del trace
-        return (cls(number) for number in words.heard(text, "s"))
+        return (cls(number) for number in words.find_numbers(text, "s"))
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
@@ -170,7 +170,7 @@ class WholeMotion(Moment):
 
     def time(self, trace: Trace) -> float | None:
         """Return the end of the first period, s, or the time of permanent rest; None if neither is known."""
-        time = self._return(trace)
+        time = self._return_time(trace)
         if time is not None or not self.ends:
             return time
         if trace.cut:
@@ -178,7 +178,7 @@ class WholeMotion(Moment):
         rest = rest_for_good(trace)
         return uniform_from(trace) if rest is None and self.drifts else rest
 
-    def _return(self, trace: Trace) -> float | None:
+    def _return_time(self, trace: Trace) -> float | None:
         time = first_return(trace)
         return drift_return(trace) if time is None and self.drifts else time
 
@@ -187,7 +187,7 @@ class WholeMotion(Moment):
         until, unit = self.time(trace), trace.mechanism.units.time
         if until is None:
             return ""
-        if self._return(trace) is not None:
+        if self._return_time(trace) is not None:
             return f"over the whole motion, which repeats itself every {until:.6g} {unit}"
         if trace.cut:
             return f"over the whole motion, to {until:.6g} {unit}, where its description ends: {ending(trace)}"

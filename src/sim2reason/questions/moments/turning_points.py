@@ -22,10 +22,10 @@ from sim2reason.simulation.quantities.kinematics import Acceleration, Displaceme
 from sim2reason.simulation.quantities.subjects.bodies import (
     DIRECTION_TOL,
     Bodies,
-    chain,
+    ancestor_chain,
     extended,
+    moves_on_slider,
     point_directions,
-    rides,
 )
 from sim2reason.simulation.trace import Event, Trace
 
@@ -81,12 +81,12 @@ class Stopped(Occurrence):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that ride on no other body, with their phrases."""
         mechanism = words.mechanism
-        called = words.called(cls.of).items()
-        return {name: phrase for name, phrase in called if not rides(mechanism, name)}
+        called = words.subject_phrases(cls.of).items()
+        return {name: phrase for name, phrase in called if not moves_on_slider(mechanism, name)}
 
     def subject(self, words: Words) -> str:
         """Return the phrase for the subject; its centre for a slipping, rolling body, which may spin on."""
-        name = words.called(self.of)[self.name]
+        name = words.subject_phrases(self.of)[self.name]
         if not _spins_on(words.mechanism, self.name):
             return name
         point = self.of.point(words.mechanism, self.name, name)
@@ -118,18 +118,18 @@ class Stopped(Occurrence):
             return self._later(trace)
         event = Occurrence.time(self, trace)
         before = trace.stable_until if event is None else event
-        return next((time for time in self._touches(trace, before)), event) if self.may_touch else event
+        return next((time for time in self._instant_stop_times(trace, before)), event) if self.may_touch else event
 
     def _later(self, trace: Trace) -> float | None:
         """Return the time of a later stop, s, including instants of zero speed without an event."""
         end = trace.stable_until
         times = [e.time for e in trace.events if 0.0 < e.time <= end and self.is_this(e, trace)]
-        touched = self._touches(trace, end) if self.may_touch else ()
+        touched = self._instant_stop_times(trace, end) if self.may_touch else ()
         near = REST_SPEED_RTOL * float(trace.scan.times[-1])
         times += [time for time in touched if all(abs(time - event.time) > near for event in trace.events)]
         return sorted(times)[self.number - 1] if len(times) >= self.number else None
 
-    def _touches(self, trace: Trace, before: float) -> Iterator[float]:
+    def _instant_stop_times(self, trace: Trace, before: float) -> Iterator[float]:
         """Yield the times before `before`, s, at which the body's speed is zero without an event."""
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
         early = speeds[times < before * (1.0 - TOUCH_SPEED_RTOL)]
@@ -216,7 +216,7 @@ class HighestPoint(TurningPoint):
         return -Velocity.evaluate(state, self.name)[:, 2]
 
 
-STANDS = 1e-3  # of its greatest speed: a slower hinge is at rest
+HINGE_REST_RTOL = 1e-3  # of its greatest speed: a slower hinge is at rest
 
 
 @MOMENTS.register("lowest_point")
@@ -237,7 +237,7 @@ class LowestPoint(TurningPoint):
         turning, fastest = (
             np.abs(state.v[:, hinges]).max(axis=0) for state in (study.trace.at(time), study.trace.scan)
         )
-        return not hinges or bool(np.any(turning > STANDS * fastest))
+        return not hinges or bool(np.any(turning > HINGE_REST_RTOL * fastest))
 
     def extent(self, state: State) -> Array:
         """Return the depth below the starting point, m, (n,)."""
@@ -250,5 +250,5 @@ class LowestPoint(TurningPoint):
 
 def _hinges(mechanism: Mechanism, name: str) -> list[int]:
     """Return the coordinates of the innermost rotating body among the body itself and its carriers."""
-    each = ([c for c in body.coordinates if c.kind == "hinge"] for body in chain(mechanism, name))
+    each = ([c for c in body.coordinates if c.kind == "hinge"] for body in ancestor_chain(mechanism, name))
     return [mechanism.number[c.name] for c in next(filter(None, each), ())]

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 
-from sim2reason.questions.ordinary.clause_heads import FALL, HEADS, START_WORDS, S
-from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, either, pattern
+from sim2reason.questions.ordinary.clause_heads import CLAUSE_HEADS, FALL, START_WORDS, S
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, QUANTITIES, any_of_pattern, pattern
 
 REGULAR = re.split(
     " ",
@@ -88,7 +88,7 @@ def with_base_forms(text: str) -> str:
     return " ".join(word for word in words if word not in AUXILIARIES and word not in EMPTY)
 
 
-WAY = re.compile(
+DIRECTION_PATTERN = re.compile(
     r"(?<![\w@])(?<!used )(?<!use )(?<!speed )(?<!speeds )(?<!speeding )(?<!burnt )(?<!burned )(?<!pick"
     r" )(?<!picks )(?<!picked )"
     r"(?<!set )(?<!put )(?<!laid )(?<!end )(?<!ends )(?<!ended )(?<!wind )(?<!winds )"
@@ -97,7 +97,7 @@ WAY = re.compile(
     r"|to left)"
     r"(?! vertical)(?: (?:along )?GROUNDS| its path)?(?![\w@])".replace("GROUNDS", GROUNDS)
 )
-PLACES = re.compile(
+PLACE_PATTERN = re.compile(
     rf"(?<![\w@])(?:(?:along|on|across|over|upon|in|through|off|of|inside|within|down|up|above) )?(?:(?:{GROUNDS})"
     r"|(?:(?:left|leave|right|sloping|incline|slant|its) )+face|(?:(?:uniform |electric |magnetic )*field|straight"
     r" line|air|vertical guide|guide|track|its path|path|its (?:plane|slope|side|track)|its"
@@ -120,7 +120,7 @@ _ON_OTHER_SIDE = re.compile(
     r" (?:on|at) (?:other|opposite|far) side(?: of (?:its path|axle|pivot|vertical|lowest point))?\b"
 )
 _FOR_GOOD = re.compile(r"\b(?:finally|eventually|for good|permanently|at last|for ever|everything)\b")
-TOGETHER = "they move together"
+MOVE_TOGETHER_CLAUSE = "they move together"
 _PASSED = "highest point", "lowest point", "vertical", "closest", "farthest", "relaxed", "equilibrium"
 _PASSING = frozenset(
     re.split(
@@ -135,7 +135,7 @@ _ORDINAL = pattern("ORDINAL")
 
 @cache
 def _quantities() -> str:
-    return either(name for row in QUANTITIES.values() for name in row.split("|"))
+    return any_of_pattern(name for row in QUANTITIES.values() for name in row.split("|"))
 
 
 @cache
@@ -152,11 +152,11 @@ def paraphrased(clause: str) -> Iterator[str]:
     ):
         return
     clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
-    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", clause).split())
+    text = " ".join(DIRECTION_PATTERN.sub(lambda match: f" <{way_of(match['way'])}> ", clause).split())
     text = with_base_forms(text)
     ways = " ".join(re.findall("<.+?>", text))
     bare = " ".join(re.sub("<.+?>", " ", text).split())
-    for template, plain in HEADS.items():
+    for template, plain in CLAUSE_HEADS.items():
         searched, more = (text, "") if "<" in template.replace("(?P<", "") else (bare, ways)
         for match in _head(template).finditer(searched):
             for plainly in _filled(plain, match, f"{searched[: match.start()]} {searched[match.end() :]} {more}"):
@@ -171,7 +171,7 @@ def way_of(word: str) -> str:
 def _filled(plain: str, match: re.Match[str], rest: str) -> Iterator[str]:
     """Yield a plain clause with the subject, number and direction filled in; nothing if a word is left over."""
     ways = re.findall(r"<(.+?)>", rest)
-    rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
+    rest = PLACE_PATTERN.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, match[0])))
     plain = _for_these(plain, subjects, ways, f"{match[0]} <> {rest}")
     count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
@@ -179,7 +179,7 @@ def _filled(plain: str, match: re.Match[str], rest: str) -> Iterator[str]:
     left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
     if any(phrase in plain for phrase in _PASSED):
         left -= _PASSING
-    ways = [] if plain == TOGETHER else ways
+    ways = [] if plain == MOVE_TOGETHER_CLAUSE else ways
     fits = (
         len(subjects) <= 1 + ("{t}" in plain) and len(count) <= ("{count}" in plain) and len(ways) <= ("{way}" in plain)
     )

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from itertools import product
 
 from sim2reason.questions.ordinary.clause_heads import HOME
-from sim2reason.questions.ordinary.clauses import whens
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
+from sim2reason.questions.ordinary.clauses import read_moments
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
 from sim2reason.questions.ordinary.moment_phrases import AFTER, DURING, THEN, When
-from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, STRETCH, Main, each
+from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, STRETCH, Main, token_subjects
 from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, QUANTITIES, matching_entry, pattern
 from sim2reason.questions.posing import MINUS, PLUS
 from sim2reason.questions.structured import START
@@ -24,32 +24,36 @@ ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic
 UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
 
 
-def stored(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_stored_energy(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy stored in a spring, or in several springs together."""
-    yield Main("spring energy", PLUS.join(each(sentence, match["s"])))
+    yield Main("spring energy", PLUS.join(token_subjects(sentence, match["s"])))
 
 
-def changed(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_change(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the gain, the loss or the change of a quantity that has no direction."""
     name, verb = matching_entry(QUANTITIES, match["q"]), match["verb"]
     needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
     who = sentence.subject(match.groupdict().get("s"))
-    if name in UNDIRECTED and not (who.startswith(ALL) and needs != CHANGE):  # where one gains what the other loses
-        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(sentence, match.groupdict().get("s")))
+    if name in UNDIRECTED and not (
+        who.startswith(ALL_WORD) and needs != CHANGE
+    ):  # where one gains what the other loses
+        yield from (
+            Main(UNDIRECTED[name], of, needs=needs) for of in token_subjects(sentence, match.groupdict().get("s"))
+        )
 
 
-def exchanged(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_exchanged_momentum(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the momentum that a body gains or loses in a collision with another body: the impulse of that collision."""
     of = sentence.subject(match["s"])
-    if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
+    if not of.startswith(f"{ALL_WORD} "):  # the momenta of both change by nothing together
         yield Main(IMPULSE, of, needs=JUMP)
 
 
 def lost_in_impact(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
-    for of in each(sentence, match.groupdict().get("s")):
+    for of in token_subjects(sentence, match.groupdict().get("s")):
         yield Main("kinetic energy", of, needs=JUMP)
-        yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL} {of}", ALL),) if of else ())
+        yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL_WORD} {of}", ALL_WORD),) if of else ())
 
 
 _LONG = "how (?:much time|long|many (?:seconds|years))"
@@ -86,7 +90,7 @@ _FOLLOWING = re.compile(
     rf"(?P<number>{_NUMBERED.pattern})(?: one)?(?: (?:follow|occur|come|take place|happen|take|begin)s?)?"
 )
 COLLISION = "energy lost in a collision"
-UNDER = (
+POINT_BELOW = (
     "(?:(?:point|place|spot)(?: on (?:level )?(?:ground|floor))?(?: (?:directly|vertically|straight|exactly))?"
     " (?:below|beneath|under|underneath) (?:throw|thrower|launch(?: point)?|throwing point|(?:point|place) of (?:throw"
     "|release|launch|projection)|release(?: point)?)"
@@ -117,11 +121,11 @@ _SPAN = tuple(
 )
 _FROM_START = pattern(
     f"(?:how far|at what (?:horizontal )?distance)(?: ,? ?(?:measured )?horizontally(?: ,)?)?(?: away)? from"
-    f" (?:{HOME}|{UNDER}|thrower|foot of (?:tower|cliff)) ~@0@ "
+    f" (?:{HOME}|{POINT_BELOW}|thrower|foot of (?:tower|cliff)) ~@0@ "
     f"(?:lands?|bounces?|comes? down|(?:hits?|strikes?|touch(?:es)?|reach(?:es)?|lands? on) (?:{GROUNDS}))(?:(?: for)?"
     f" (?P<number>ORDINAL) time)?"
     f"|how far(?: ,? ?(?:measured )?horizontally(?: ,)?)? ~(?P<other>ORDINAL) {_LANDING} from"
-    f" (?:{HOME}|{UNDER}|thrower)"
+    f" (?:{HOME}|{POINT_BELOW}|thrower)"
 )
 _PEAK = pattern(
     "(?:how high(?: above SURFACE)?|(?:to )?what (?:greatest |maximum )?height) ~@0@ (?:rise|get|go|fly|climb"
@@ -161,7 +165,7 @@ def above_lowest(question: str, clause: str, side: str, sentence: TokenizedSente
     if match is None or not sentence.subjects:
         return
     who = sentence.subject(match["s"] or match["t"]) or sentence.subject("@0@")
-    for when in whens(clause, sentence, who, side):
+    for when in read_moments(clause, sentence, who, side):
         told = f"{when.told.removesuffix(' before')}{MINUS}{who} lowest point"
         yield Main("displacement", who, "vertical"), When(told, AFTER, (*when.ways, (who, GAINED)), when.rank)
 
@@ -174,7 +178,7 @@ def _slack(sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
         yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
 
 
-def differences(sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
+def read_differences(sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the questions of a sentence about an interval between two moments, each as main clause and moment."""
     subject = sentence.subject("@0@") if sentence.subjects else ""
     for told in _BETWEEN:
@@ -220,7 +224,7 @@ def _times(one: str, other: str, sentence: TokenizedSentence, who: str) -> Itera
     first = _NUMBERED.match(other)
     if _NUMBERED.fullmatch(one) and first is not None:
         one = f"{one}{other[first.end() :]}"
-    for early, late in product(whens(one, sentence, who, AFTER), whens(other, sentence, who, AFTER)):
+    for early, late in product(read_moments(one, sentence, who, AFTER), read_moments(other, sentence, who, AFTER)):
         if not late.told or late.told.startswith("at ") or early.told == late.told or not early.told:
             continue
         told = MINUS.join(when.told.removesuffix(" before") for when in (late, early))
@@ -237,7 +241,7 @@ def after_bounce(question: str, clause: str, side: str, sentence: TokenizedSente
         return
     who = sentence.subject(match["s"] or match["t"]) or sentence.subject("@0@")
     number = next(filter(None, (bounced[key] for key in ("number", "count", "time"))), "first")
-    if not who.startswith(ALL):
+    if not who.startswith(ALL_WORD):
         yield Main("height above the ground", who), When(f"{number} {who} top after bounce")
 
 

@@ -42,7 +42,7 @@ START_WORDS = (
 _GROWS = "(?:grow|shrink|climb|sink|go up|go down|come down|slow down|build up|diminish|mount|decline) to"
 _SAME = "(?:same|common|equal|one)(?: (?:speed|velocity))"
 
-HEADS: Mapping[str, str] = {
+CLAUSE_HEADS: Mapping[str, str] = {
     # rest
     "(?:(?:come|bring|get|return|slow(?: down)?) (?:to )?)?(?:a )?(?:complete |full |dead |total |momentary |temporary "
     "|instantaneous )?(?:rest|halt|stop|standstill)": "{s} stops",

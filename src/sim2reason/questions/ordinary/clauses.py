@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.moments.reached import AGAIN
+from sim2reason.questions.moments.reached import SECOND_TIME_PREFIX
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.base_forms import paraphrased
@@ -19,7 +19,7 @@ _ON_ONE_SIDE = re.compile(r" (?:on|at) (?:its )?(?P<side>left|right)(?:(?: |-)ha
 _LATER = re.compile(r"(?P<n>#\d+#) (?:after|past|following) (?P<event>.+)")
 
 
-def whens(clause: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_moments(clause: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
     going = _ON_THE_WAY.search(clause)
     if going is not None and going.start() > 0:
@@ -40,7 +40,7 @@ def _later(clause: str, sentence: TokenizedSentence, subject: str) -> Iterator[W
     match = _LATER.fullmatch(clause)
     if match is None or not is_time(sentence.number(match["n"])):
         return
-    for when in whens(match["event"], sentence, subject, AFTER):
+    for when in read_moments(match["event"], sentence, subject, AFTER):
         if "collided" in when.told and not when.told.endswith(" before"):
             yield replace(when, told=f"{sentence.number(match['n'])}{PAST}{when.told}", side=THEN)
 
@@ -54,18 +54,18 @@ def _named_first(clause: str, sentence: TokenizedSentence, subject: str) -> str:
 def _on_one_side(clause: str, beside: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the turning point that a clause such as *stops on the left* means, presuming the stated side."""
     who = _named_first(clause, sentence, subject)
-    for when in whens(f"{clause} on other side", sentence, subject, side):
+    for when in read_moments(f"{clause} on other side", sentence, subject, side):
         yield replace(when, ways=(*when.ways, (who, beside)))
 
 
 def _on_the_way(clause: str, direction: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
     who = _named_first(clause, sentence, subject)
-    for when in whens(clause, sentence, subject, side):
+    for when in read_moments(clause, sentence, subject, side):
         ways = (*when.ways, (who, GOES_UP if direction == "up" else GOES_DOWN))
         yield replace(when, ways=ways)
         if " = " in when.told:
-            yield replace(when, told=f"{AGAIN}{when.told}", ways=ways)
+            yield replace(when, told=f"{SECOND_TIME_PREFIX}{when.told}", ways=ways)
 
 
 def _of_tables(clause: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
@@ -80,45 +80,45 @@ def _of_tables(clause: str, sentence: TokenizedSentence, subject: str, side: str
 
 
 CLAUSES: Mapping[str, Reader] = {
-    "{s} moves {n} relative to (?:{t}|carrier)": read.relatively,
-    "meets {t}": read.met,
+    "{s} moves {n} relative to (?:{t}|carrier)": read.read_relative_displacement,
+    "meets {t}": read.read_collision_with,
     "[{s} ]sets off": place.sets_off,
     "{s} (?:~|to )(?:gone|go|travelled|moved|been|swept) (?P<turns>half|quarter)(?:way| way| of way) (?:round"
-    "|around)(?: {t})?": (place.orbited),
+    "|around)(?: {t})?": (place.read_orbit_fraction),
     "{s} stays below {n}": place.stays_below,
-    "{s} is under {t}": place.under,
-    " ?[{number=ORDINAL} ]edge lands": read.jump("edge landed"),
-    "[{s} ]at height of {n}": place.at_height,
+    "{s} is under {t}": place.read_point_below_carrier,
+    " ?[{number=ORDINAL} ]edge lands": read.velocity_jump_reader("edge landed"),
+    "[{s} ]at height of {n}": place.read_height,
     "[{s} ]moves {n} vertically {way=WAY}": place.vertically,
-    "[(?:{s}|they) ]~nearest together[ FIRST_TIME]": place.nearest,
+    "[(?:{s}|they) ]~nearest together[ FIRST_TIME]": place.read_closest_approach,
     "[(?:{s}|they) ]~farthest apart[ FIRST_TIME]": place.most_apart,
-    "[{s} ]crosses (?P<axis>x|y) axis": place.crosses,
-    "[{s} ]fastest": place.fastest,
+    "[{s} ]crosses (?P<axis>x|y) axis": place.read_axis_crossing,
+    "[{s} ]fastest": place.read_greatest_speed,
     "[{s} ]back at its height": place.back_at_height,
     "(?P<q>speed|velocity|kinetic energy|acceleration|spring force|tension|momentum) of(?: {s})?"
-    " (?P<times>\\w+)(?: times)+ at first": place.multiple,
+    " (?P<times>\\w+)(?: times)+ at first": place.read_quantity_multiple,
     "{s} leaves surface": place.lifts_off,
     "[{s} ]~{n}[ away] from origin": place.from_origin,
     "{s} returns to origin": place.back_at_origin,
-    "[{s} ]stops on other side": place.across,
-    "[{s} ]~[PASSES ][its |@0@ 's ]TOP on other side": place.across,
+    "[{s} ]stops on other side": place.read_far_side_stop,
+    "[{s} ]~[PASSES ][its |@0@ 's ]TOP on other side": place.read_far_side_stop,
     "[{s} ]~(?:lose|loses|lost) (?P<times>half|third|quarter|tenth) (?:of )?(?:its |@\\d+@ 's )(?:initial |original )?"
     "(?P<q>speed|velocity)": place.lost_share,
     "[{s} ]~[only ](?P<times>half|third|quarter|tenth) of (?:its |@\\d+@ 's )(?:initial |original |first ){q=QUANTITY}"
-    " left": place.fraction,
-    "(?:{s} 's {q=QUANTITY}|QUANTITY of {t}) ~(?P<times>halved)": place.fraction,
-    "[{s} ]returns": read.returned,
+    " left": place.read_quantity_fraction,
+    "(?:{s} 's {q=QUANTITY}|QUANTITY of {t}) ~(?P<times>halved)": place.read_quantity_fraction,
+    "[{s} ]returns": read.read_return,
     "[{s} ]~(?:closest|nearest) to far end[ of {t}]": place.near_end,
-    "[{s} ]turns in (?P<axis>x|y)": place.turns,
+    "[{s} ]turns in (?P<axis>x|y)": place.read_axis_stop,
     "[{s} ]~has (?:(?P<most>greatest|maximum|largest|maximal|highest)|least|minimum|smallest|minimal|lowest)"
     " (?P<axis>x|y)": (place.extreme_coordinate),
-    "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.heads,
+    "[{s} ]heads (?P<heading>\\S+) (?P<axis>x|y)": place.read_heading,
     "[very |extremely ]long time[ after START| (?:later|afterwards|has passed)]|in long run": place.after_long,
-    "[{s} ]moves parallel to (?P<axis>x|y) axis": place.parallel,
+    "[{s} ]moves parallel to (?P<axis>x|y) axis": place.read_axis_parallel,
     "[{s} ]makes (?P<turns>one|half|two|three|ten) revolutions?": place.revolved,
     "[{s} ]~(?:made|turned through|turned|completed|done|rotated through|performed) (?P<turns>half|quarter) (?:of )?"
     "(?:turn|revolution|rotation)": place.revolved,
-    "[{s} ]burns {n} of fuel": place.burnt,
+    "[{s} ]burns {n} of fuel": place.read_burnt_fuel,
     "[{s} ]~(?:burn(?:s|ed|t|ing)?|use(?:s|d)|use|consume(?:s|d)|consume|spend|spent)(?: up)? (?P<times>half|third"
     "|quarter) (?:of )?(?:all |its )?fuel": (place.share_burnt),
     "(?:has |is )?(?P<times>half|third|quarter) (?:of )?(?:all |its )?fuel ~(?:burnt|burned|used up|used|consumed"
@@ -127,95 +127,101 @@ CLAUSES: Mapping[str, Reader] = {
     "{s} 's {q=QUANTITY} ~(?:fallen to |dropped to |decreased to |risen to |reached |reaches |falls to )?(?P<times>half"
     r"|third|quarter|tenth) (?:of )?(?P<ref>[its |@\d+@ 's ](?:maximum|greatest|initial|starting|original|first"
     r"|largest|highest)"
-    "[ value| one| speed| velocity])": place.fraction,
+    "[ value| one| speed| velocity])": place.read_quantity_fraction,
     "[{s} ]stops going {way=WAY}": read.stops_going,
-    "[{s} ~at |at ]distance of {n}[ from {t}]": place.apart,
+    "[{s} ~at |at ]distance of {n}[ from {t}]": place.read_separation,
     "{q=QUANTITY} of {s} ~(?:dropped|fallen|decreased|sunk|shrunk|risen|diminished) to"
     " (?P<times>half|third|quarter|tenth) (?:of )?(?P<ref>(?:its |@\\d+@ 's )?(?:original|initial|starting|first)"
-    "(?: value| one| speed)?)": place.fraction,
+    "(?: value| one| speed)?)": place.read_quantity_fraction,
     "[{s} ]finally stops": place.for_good,
     "[{s} ](?P<sense>falls|rises) with (?P<axis>vertical|horizontal) speed of {n}": read.has_component,
-    "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.at_place,
+    "[{s} ]at (?P<axis>x|y) = (?P<sign>-?){n}": read.read_coordinate,
     "{q=QUANTITY} of {s} equals {n}": read.quantity_is,
-    "(?P<q>acceleration|velocity) of {s} equals {n} (?P<up>up|down)": read.directed,
+    "(?P<q>acceleration|velocity) of {s} equals {n} (?P<up>up|down)": read.read_component_sign,
     "{q=QUANTITY} equals {n}": read.quantity_is,
-    "[t = |time t = |time ]{n}[ START]": read.at,
-    "{n} after START": read.at,
-    "{n}[ have passed| has passed| have elapsed]": read.at,
-    "first {n}[ after START| of motion]": read.at,
-    "{n}[ of travel| of path| of its path]": read.covered,
+    "[t = |time t = |time ]{n}[ START]": read.read_time,
+    "{n} after START": read.read_time,
+    "{n}[ have passed| has passed| have elapsed]": read.read_time,
+    "first {n}[ after START| of motion]": read.read_time,
+    "{n}[ of travel| of path| of its path]": read.read_path_length,
     "first second[ after START| of motion]": read.second,
-    "[very ]START[ of motion]": place.begun,
-    "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.moved,
-    "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": read.moved,
-    "[{s} ]first {n}[ {way=WAY}| ALONG_IT| of its path]": read.moved,
-    "{s} has first {motion=MOTION} {n}": read.moved,
-    "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.simply("stopped"),
+    "[very ]START[ of motion]": place.read_start,
+    "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.read_displacement,
+    "[{s} ]~{motion=MOTION}[ {way=WAY}| ALONG_IT] [by |through |distance of ]{n}": read.read_displacement,
+    "[{s} ]first {n}[ {way=WAY}| ALONG_IT| of its path]": read.read_displacement,
+    "{s} has first {motion=MOTION} {n}": read.read_displacement,
+    "[{s} ]~[first ][momentarily ]STOPS[ AGAIN][ FIRST_TIME][ for instant]": read.subject_moment_reader("stopped"),
     "[{s} ]~[first ]LANDS[ FIRST_TIME]": read.landed,
     "[{s} ]~LANDS for {number=ORDINAL} time": read.landed,
-    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": read.jump("bounced", "edge landed"),
-    "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": read.jump("bounced"),
-    "[{s} ]~BOUNCES for {number=ORDINAL} time": read.jump("bounced"),
-    "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": read.jump("collided"),
-    "{number=ORDINAL} collision": read.jump("collided"),
+    "[its |@0@ 's |{s} 's ]{number=ORDINAL} (?:bounce|impact|landing|rebound)": read.velocity_jump_reader(
+        "bounced", "edge landed"
+    ),
+    "[{s} ]~[first ]BOUNCES[ FIRST_TIME]": read.velocity_jump_reader("bounced"),
+    "[{s} ]~BOUNCES for {number=ORDINAL} time": read.velocity_jump_reader("bounced"),
+    "[(?:{s}|they) ]~[first ]COLLIDE[ FIRST_TIME]": read.velocity_jump_reader("collided"),
+    "{number=ORDINAL} collision": read.velocity_jump_reader("collided"),
     "[their ]{number=ORDINAL} collision (?:of|between) {s} (?:and|with) {t}": read.meet_again,
-    "{s} 's {number=ORDINAL} collision": read.jump("collided"),
-    "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": read.meet,
-    "[pure ]rolling (?:sets in|begins|starts)": read.simply("stopped slipping"),
-    "{number=ORDINAL} collision (?:take|takes|took) place": read.jump("collided"),
-    "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": read.jump("collided"),
-    "(?:their|its) {number=ORDINAL} collision": read.jump("collided"),
-    "{s} ~HITS wall[ FIRST_TIME]": read.jump("bounced"),
-    "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": read.apsis("farthest"),
-    "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": read.apsis("closest"),
-    "[{s} ]~(?:most strongly|most|fully) compressed": read.simply("most compressed"),
-    "[{s} ]~(?:most strongly|most|fully) (?:stretched|extended)": read.simply("most stretched"),
-    "{s} ~PASSES [its ]GREATEST compression": read.simply("most compressed"),
-    "{s} ~PASSES [its ]GREATEST extension": read.simply("most stretched"),
-    "all collisions[ ~over]": read.alone("last collision"),
-    "[its ]impact": read.rather(read.landed),
-    "last collision": read.alone("last collision"),
-    "{s} ~HITS {t}[ FIRST_TIME]": read.meet,
-    "{s} and {t} ~COLLIDE[ FIRST_TIME]": read.meet,
-    "(?:collision|impact) (?:of|between) {s} and {t}": read.meet,
+    "{s} 's {number=ORDINAL} collision": read.velocity_jump_reader("collided"),
+    "{s} ~(?:hit|struck) by {t}[ FIRST_TIME]": read.read_pair_collision,
+    "[pure ]rolling (?:sets in|begins|starts)": read.subject_moment_reader("stopped slipping"),
+    "{number=ORDINAL} collision (?:take|takes|took) place": read.velocity_jump_reader("collided"),
+    "{number=ORDINAL} collision (?:happen|happens|occur|occurs)": read.velocity_jump_reader("collided"),
+    "(?:their|its) {number=ORDINAL} collision": read.velocity_jump_reader("collided"),
+    "{s} ~HITS wall[ FIRST_TIME]": read.velocity_jump_reader("bounced"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]FARTHEST[ from {t}| of its PATH][ FIRST_TIME]": read.apsis_reader("farthest"),
+    "[{s} ]~[PASSES ][its |@0@ 's ]NEAREST[ to {t}| of its PATH][ FIRST_TIME]": read.apsis_reader("closest"),
+    "[{s} ]~(?:most strongly|most|fully) compressed": read.subject_moment_reader("most compressed"),
+    "[{s} ]~(?:most strongly|most|fully) (?:stretched|extended)": read.subject_moment_reader("most stretched"),
+    "{s} ~PASSES [its ]GREATEST compression": read.subject_moment_reader("most compressed"),
+    "{s} ~PASSES [its ]GREATEST extension": read.subject_moment_reader("most stretched"),
+    "all collisions[ ~over]": read.unique_moment_reader("last collision"),
+    "[its ]impact": read.with_last_rank(read.landed),
+    "last collision": read.unique_moment_reader("last collision"),
+    "{s} ~HITS {t}[ FIRST_TIME]": read.read_pair_collision,
+    "{s} and {t} ~COLLIDE[ FIRST_TIME]": read.read_pair_collision,
+    "(?:collision|impact) (?:of|between) {s} and {t}": read.read_pair_collision,
     "[{s} ]~[PASSES ][its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": read.turned_back("highest point", "up"),
     "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": read.turned_back("lowest point", "down"),
-    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": read.simply(
+    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": read.subject_moment_reader(
         "lowest point"
     ),
-    "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": read.simply("lowest point"),
-    "[in |at ][its ]vertical position": read.simply("lowest point"),
-    "[{s} ]~(?:starts|begins|start|begin) [to ]MOTION (?:again|back)[ WAY]": read.simply("stopped"),
+    "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": read.subject_moment_reader(
+        "lowest point"
+    ),
+    "[in |at ][its ]vertical position": read.subject_moment_reader("lowest point"),
+    "[{s} ]~(?:starts|begins|start|begin) [to ]MOTION (?:again|back)[ WAY]": read.subject_moment_reader("stopped"),
     "{s} ~(?:makes|make|at) [angle of ]{n}(?: with| to| from) [downward ]vertical": read.angle,
-    "{s} ~horizontal": place.level,
-    "[{s} ]~{motion=MOTION} (?:through|by) [angle of ]{n}[ from START| from its starting position]": read.turned,
+    "{s} ~horizontal": place.read_horizontal_line,
+    "[{s} ]~{motion=MOTION} (?:through|by) [angle of ]{n}[ from START| from its starting position]": read.read_turn,
     "[{s} ]~(?:reach|reaches|reached|has|attains) (?:speed|velocity) of {n}": read.has_speed,
     "[{s} ]~(?:reach|reaches|reached) {n}": read.has_speed,
     "{s} ~MOTION (?:at|with) [speed of ]{n}": read.has_speed,
     "{s} 's (?:speed|velocity) (?:~|BECOMES ){n}": read.has_speed,
     "(?:speed|velocity) of {s} (?:~|BECOMES ){n}": read.has_speed,
-    "[{s} 's |its ]BURNOUT": read.alone("burned out"),
-    "{s} RUNS_OUT": read.alone("burned out"),
-    "[{s} ][first ]ROLLS[ on {t}]": read.simply("stopped slipping"),
-    "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": read.simply("stopped slipping"),
-    "(?:{s}|they) ~(?:move|moves|moving) together": read.joined,
-    "[{s} ]NATURAL[ AGAIN][ FIRST_TIME]": place.natural,
-    "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": read.apsis("farthest"),
-    "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
-    "[its |{s} 's ](?:farthest|furthest)[ from {t}]": read.apsis("farthest"),
-    "[its |{s} 's ](?:closest|nearest)[ to {t}]": read.apsis("closest"),
-    "{s} closest to {t}": read.apsis("closest"),
-    "{s} farthest from {t}": read.apsis("farthest"),
-    "{s} ~{n}[ away] from {t}": place.apart,
-    "{s} ~{strain=STRAINED} by {n}": place.strained,
-    "{s} ~{n} long": place.long,
-    "[{s} ]~[PASSES ][its ]equilibrium position[ FIRST_TIME]": place.balanced,
-    "{s} ~{n} from [its ]equilibrium position": place.balanced,
-    "{s} (?:goes|go) slack": read.simply("went slack"),
-    "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": read.simply("went taut"),
+    "[{s} 's |its ]BURNOUT": read.unique_moment_reader("burned out"),
+    "{s} RUNS_OUT": read.unique_moment_reader("burned out"),
+    "[{s} ][first ]ROLLS[ on {t}]": read.subject_moment_reader("stopped slipping"),
+    "(?:slipping|sliding|skidding) (?:stops|ends|ceases|is over)": read.subject_moment_reader("stopped slipping"),
+    "(?:{s}|they) ~(?:move|moves|moving) together": read.read_joint_motion,
+    "[{s} ]NATURAL[ AGAIN][ FIRST_TIME]": place.read_natural_length,
+    "[{s} ]~(?:reach |reaches )?[point |at point ](?:farthest|furthest)[ away][ from {t}]": read.apsis_reader(
+        "farthest"
+    ),
+    "[{s} ]~(?:reach |reaches )?[point |at point ](?:closest|nearest)[ to {t}]": read.apsis_reader("closest"),
+    "[its |{s} 's ](?:farthest|furthest)[ from {t}]": read.apsis_reader("farthest"),
+    "[its |{s} 's ](?:closest|nearest)[ to {t}]": read.apsis_reader("closest"),
+    "{s} closest to {t}": read.apsis_reader("closest"),
+    "{s} farthest from {t}": read.apsis_reader("farthest"),
+    "{s} ~{n}[ away] from {t}": place.read_separation,
+    "{s} ~{strain=STRAINED} by {n}": place.read_spring_strain,
+    "{s} ~{n} long": place.read_spring_length,
+    "[{s} ]~[PASSES ][its ]equilibrium position[ FIRST_TIME]": place.read_equilibrium,
+    "{s} ~{n} from [its ]equilibrium position": place.read_equilibrium,
+    "{s} (?:goes|go) slack": read.subject_moment_reader("went slack"),
+    "{s} (?:becomes|become|goes|gets) taut[ AGAIN]": read.subject_moment_reader("went taut"),
     "{s} (?:leaves|leave|loses contact with|lifts off) (?:{t}|SURFACE)": place.lifts_off,
-    "{s} (?:enters|enter) (?:field|region)": read.simply("entered region"),
-    "{s} (?:leaves|leave|exits) (?:field|region)": read.simply("left region"),
-    "{s} (?:begins|starts|begin|start) to (?:slip|slide)": read.simply("began to slip"),
+    "{s} (?:enters|enter) (?:field|region)": read.subject_moment_reader("entered region"),
+    "{s} (?:leaves|leave|exits) (?:field|region)": read.subject_moment_reader("left region"),
+    "{s} (?:begins|starts|begin|start) to (?:slip|slide)": read.subject_moment_reader("began to slip"),
 }
 """By what a clause is like: what reads its moments."""

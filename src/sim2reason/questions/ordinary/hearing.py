@@ -15,18 +15,18 @@ from sim2reason.questions.ordinary.names import (
     with_letters,
     with_particles,
 )
-from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.rewording import reword_question
 from sim2reason.questions.ordinary.turns_of_order import without_asides, without_leads
-from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
+from sim2reason.questions.ordinary.vocabulary import GENERIC_NOUNS, NOUNS, QUANTITIES, WORDS, any_of_pattern
 from sim2reason.questions.sentences import plainly
-from sim2reason.questions.words import DIGITS, Words
+from sim2reason.questions.words import DIGITS_PATTERN, Words
 from sim2reason.simulation.quantities import QUANTITIES as REGISTERED
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, chain
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, ancestor_chain
 
 LONGEST = 400  # characters of a question
-ALL = "all"  # the word for several subjects together
+ALL_WORD = "all"  # the word for several subjects together
 _NUMBER = re.compile(
-    rf"(?<![\w.#@])({DIGITS}(?:\.{DIGITS})?(?:[eE][+-]?\d{{1,2}})?)"
+    rf"(?<![\w.#@])({DIGITS_PATTERN}(?:\.{DIGITS_PATTERN})?(?:[eE][+-]?\d{{1,2}})?)"
     r"(°|\s?(?:[a-zA-Zµμ%Ω][\w/·^²³⁻*]*))?(?![\w.]*\d)"
 )
 _UNITS = {
@@ -52,7 +52,7 @@ _FROM_REST = re.compile(
 )
 _START = re.compile(r"\bt ?= ?0(?: s)?(?!\w|\.\d)")
 _OWN = re.compile(
-    rf"\bits (?=(?:{either('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate"
+    rf"\bits (?=(?:{any_of_pattern('|'.join(QUANTITIES.values()).split('|'))}|[xy][- ]coordinate"
     r"|(?:final|initial)(?! (?:position|point|place|height|level)))\b)"
 )
 _HIT_IT = re.compile(
@@ -128,20 +128,20 @@ def tokenize(sentence: str, words: Words) -> TokenizedSentence:
         text = _HIT_IT.sub(lambda match: f"{match[1]} @{1 - int(match[1][1])}@", text)
     text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
-    joint = {number for number, name in enumerate(subjects) if name == EVERYTHING or name.startswith(f"{ALL} ")}
+    joint = {number for number, name in enumerate(subjects) if name == EVERYTHING or name.startswith(f"{ALL_WORD} ")}
     text = _CENTER_OF_ONE.sub(lambda center: center[0] if int(center[1]) in joint else f"@{center[1]}@", text)
     text = text if joint else _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
         text = _RELATIVE_TO.sub(lambda match: f"@{1 - int(match[1])}@ 's ", text)
     if not subjects and len(alone := _movers(words)) == 1:
-        text, subjects = _of_only(text, words), alone
+        text, subjects = _replace_pronouns_of_only_body(text, words), alone
     if words.released:
         text = _FROM_REST.sub(" ", _RELEASED.sub("", text))
     text = " ".join(re.sub(r"^which (?=[a-z]+ )", "what ", text).split())
     smooth = all(face.friction == 0.0 for face in words.mechanism.faces)
     text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
     text = without_asides(text)
-    return TokenizedSentence(reworded(text), tuple(subjects), numbers)
+    return TokenizedSentence(reword_question(text), tuple(subjects), numbers)
 
 
 def _and_half(match: re.Match[str]) -> str:
@@ -180,7 +180,7 @@ def _without_pronouns(text: str, subjects: list[str]) -> str:
     if len(subjects) != 1 and before.count("@") != len("@@"):
         return text
     head, named, tail = text.partition("@0@")
-    tail = re.sub(r"\b(?:they|them)\b" if subjects[0].startswith(f"{ALL} ") else r"\bit\b(?! takes?)", "@0@", tail)
+    tail = re.sub(r"\b(?:they|them)\b" if subjects[0].startswith(f"{ALL_WORD} ") else r"\bit\b(?! takes?)", "@0@", tail)
     tail = _OWN.sub("@0@ 's ", tail)
     return head + named + tail
 
@@ -202,7 +202,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
                 (len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names
             ]
             continue
-        alike = {noun} | group(noun) | ANYTHING | {"mass"}
+        alike = {noun} | group(noun) | GENERIC_NOUNS | {"mass"}
         names = "|".join(_ignoring_case(name) for name in sorted(alike))
         ranked.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b(?!\.\d)"))
         ranked.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction|\.\d)"))
@@ -211,7 +211,8 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         unique = [noun] not in heads.values()
         alone = _others(noun, phrase, heads) if unique else set[str]()
         ranked += [
-            (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
+            (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)")
+            for name in alone - GENERIC_NOUNS
         ]
     ranked.append((2, EVERYTHING, rf"(?<=\bof )(?:the )?(?:(?:whole|entire|complete) )?{_WHOLE}\b"))
     ranked.append((2, EVERYTHING, rf"\b(?:[Tt]he )?(?:(?:whole|entire|complete) )?{_WHOLE}(?='s\b| have\b| possess\b)"))
@@ -234,7 +235,7 @@ def _with_pulleys(text: str, words: Words) -> str:
     for address, mention in words.mentions.items():
         sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]
         if "pulley" in mention and sites:
-            bodies = [body for site in sites if site.body is not None for body in chain(mechanism, site.body)]
+            bodies = [body for site in sites if site.body is not None for body in ancestor_chain(mechanism, site.body)]
             moves = any(coordinate.kind == "slide" for body in bodies for coordinate in body.coordinates)
             kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(mention)
     if len(only := [mention for mention in words.mentions.values() if "pulley" in mention]) == 1:
@@ -246,12 +247,12 @@ def _with_pulleys(text: str, words: Words) -> str:
 
 
 def _movers(words: Words) -> list[str]:
-    return list(words.called(Bodies()).values())
+    return list(words.subject_phrases(Bodies()).values())
 
 
-def _of_only(text: str, words: Words) -> str:
+def _replace_pronouns_of_only_body(text: str, words: Words) -> str:
     """Return a text with the token of the only body in place of *it*, *its* and, if the body rolls, *the centre*."""
-    if all(name in words.mechanism.contacts and can_roll(words, name) for name in words.called(Bodies())):
+    if all(name in words.mechanism.contacts and can_roll(words, name) for name in words.subject_phrases(Bodies())):
         text = _CENTER_ALONE.sub("@0@", text)
     return re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text))
 
@@ -260,7 +261,7 @@ def _phrases(words: Words) -> list[str]:
     """Return the text's phrases for the subjects of quantities and for all bodies except surfaces."""
     kinds = {quantity.of.name: quantity.of for quantity in REGISTERED.values()}
     kinds = {name: kind for name, kind in kinds.items() if name not in ("pair", "whole")}
-    called = [phrase for kind in kinds.values() for phrase in words.called(kind).values()]
+    called = [phrase for kind in kinds.values() for phrase in words.subject_phrases(kind).values()]
     surfaces = set(WORDS["SURFACE"].split()) | {"start"}
     bodies = [mention for mention in words.mentions.values() if mention.split()[-1] not in surfaces]
     return list(dict.fromkeys([*called, *bodies]))
@@ -275,17 +276,19 @@ def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
     }
     groups = [nouns for nouns in NOUNS if noun in nouns]
     other = {name for nouns in groups for name in nouns if not any({name, t} <= g for t in taken for g in NOUNS)}
-    return (other - taken) | {noun} | (set(ANYTHING) if len(nouns) == 1 else set())
+    return (other - taken) | {noun} | (set(GENERIC_NOUNS) if len(nouns) == 1 else set())
 
 
 def _plurals(nouns: Mapping[str, list[str]], words: Words) -> Iterable[tuple[str, str]]:
     """Yield a joint phrase for all subjects that share a noun and differ by letter, with a pattern for the plural."""
     alike: dict[str, list[str]] = {}
     if len(movers := _movers(words)) > 1:
-        yield f"{ALL} {' & '.join(movers)}", "(?:bodies|objects)"
-    heavy = [wording for name, wording in words.called(Bodies()).items() if words.mechanism.body[name].mass > 0.0]
+        yield f"{ALL_WORD} {' & '.join(movers)}", "(?:bodies|objects)"
+    heavy = [
+        wording for name, wording in words.subject_phrases(Bodies()).items() if words.mechanism.body[name].mass > 0.0
+    ]
     if len(heavy) == 2:
-        yield f"{ALL} {' & '.join(heavy)}", r"(?<=[Tt]he )two(?! (?:\w+ )?[a-z]+s\b)"
+        yield f"{ALL_WORD} {' & '.join(heavy)}", r"(?<=[Tt]he )two(?! (?:\w+ )?[a-z]+s\b)"
     for phrase, wording in nouns.items():
         if len(wording) == 2:
             alike.setdefault(wording[0].lower(), []).append(phrase)
@@ -293,7 +296,7 @@ def _plurals(nouns: Mapping[str, list[str]], words: Words) -> Iterable[tuple[str
         if len(phrases) > 1:
             names = {noun} | group(noun)
             plural = "|".join(f"{name}e?s" for name in sorted(names))
-            yield f"{ALL} {' & '.join(phrases)}", f"(?:{plural})"
+            yield f"{ALL_WORD} {' & '.join(phrases)}", f"(?:{plural})"
 
 
 def _ignoring_case(name: str) -> str:

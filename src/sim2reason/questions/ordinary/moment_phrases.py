@@ -10,7 +10,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.aggregates import Extreme
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, matching_entry
+from sim2reason.questions.ordinary.vocabulary import DIRECTION_WORDS, DOWN, MOTIONS, ROLL, ROLLING, UP, matching_entry
 from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.query import Query, quantities_named
 from sim2reason.questions.structured import START, StructuredQuestion
@@ -18,7 +18,7 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Resistance
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic
-from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, chain
+from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, ancestor_chain
 from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, STRETCHED, Springs
 from sim2reason.simulation.quantities.subjects.rotating_parts import Pulleys, SwingingLines
 
@@ -43,7 +43,7 @@ def addressed(question: StructuredQuestion, words: Words) -> StructuredQuestion:
     for said, name in addresses(words).items():
         of = name if of == said else of
         when = re.sub(rf"(?<!\S){re.escape(said)}(?= )", name, when)
-        if name not in words.called(Bodies()):
+        if name not in words.subject_phrases(Bodies()):
             when = re.sub(rf"(?<!\S){re.escape(name)} moved (?=[\d.])", f"displacement of {name} = ", when)
     return replace(question, of=of, when=when)
 
@@ -133,12 +133,12 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
             yield question.strip(), clause.strip(), side
 
 
-def ways_of(match: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
+def read_directions(match: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
     """Return the directions in which a subject moves, as given by the matched verb and adjacent words."""
     groups = match.groupdict()
     verb = matching_entry(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
     verb_directions = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
-    beside = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
+    beside = matching_entry(DIRECTION_WORDS, groups["way"]) if groups.get("way") else ""
     return tuple((who, direction) for direction in dict.fromkeys((*verb_directions, *((beside,) if beside else ()))))
 
 
@@ -161,7 +161,7 @@ def velocities_equal(moment: str, words: Words) -> str:
     match = _EQUAL.fullmatch(moment)
     if match is None:
         return moment
-    by_phrase = {said: name for name, said in words.called(Bodies()).items()}
+    by_phrase = {said: name for name, said in words.subject_phrases(Bodies()).items()}
     names = [by_phrase.get(match[key], "") for key in ("one", "other")]
     if not all(names):
         return moment
@@ -174,7 +174,7 @@ def velocities_equal(moment: str, words: Words) -> str:
 def relaxed_again(moment: str, words: Words) -> str:
     """Return the moment when a spring that is relaxed at first is relaxed again; any other moment unchanged."""
     who, parted, _ = moment.rpartition(" natural length")
-    springs = words.called(Springs())
+    springs = words.subject_phrases(Springs())
     names = [name for name, said in springs.items() if said == who] or list(Springs().names(words.mechanism))
     if not parted or len(names) != 1:
         return moment
@@ -184,7 +184,7 @@ def relaxed_again(moment: str, words: Words) -> str:
     return moment if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
 
 
-def strained(moment: str, words: Words) -> str:
+def extreme_spring_moment(moment: str, words: Words) -> str:
     """Return the moment when a spring is shortest or longest if its ends are closest or farthest; else `moment`."""
     match = _NEAREST.fullmatch(moment)
     ends = {match["one"], match["other"]} if match is not None else set[str]()
@@ -198,7 +198,7 @@ def strained(moment: str, words: Words) -> str:
 
 def line_of(said: str, words: Words) -> str:
     """Return the phrase for the only swinging line in place of that for its body or its rod; any other unchanged."""
-    lines = words.called(SwingingLines())
+    lines = words.subject_phrases(SwingingLines())
     if said in lines.values() or len(lines) != 1:
         return said
     (name,) = lines
@@ -217,7 +217,9 @@ def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
         if words.mentions.get(body.name) == said and body.mass == 0.0 and not any(body.inertia)
     }
     turning = {name for name in arms if any(c.kind == "hinge" for c in mechanism.body[name].coordinates)}
-    carriers_by_body = {name: {carrier.name for carrier in chain(mechanism, name)[1:]} for name in all_of(find, words)}
+    carriers_by_body = {
+        name: {carrier.name for carrier in ancestor_chain(mechanism, name)[1:]} for name in all_of(find, words)
+    }
     return tuple(name for name, carriers in carriers_by_body.items() if carriers & turning)
 
 
@@ -239,9 +241,9 @@ _MULTIPLE = re.compile(
 )
 SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # names of greatest values
 LONG, PAST = "after a long time", " after "
-LATE = re.compile(rf"(?P<late>[\d.e-]+) (?P<unit>\S+){PAST}")
-_LATER = re.compile(rf"{LATE.pattern}(?P<event>.*collided)")
-APART = 0.3  # relative: extremes that differ by more do not belong to a steady oscillation
+LATE_TIME_PATTERN = re.compile(rf"(?P<late>[\d.e-]+) (?P<unit>\S+){PAST}")
+_LATER = re.compile(rf"{LATE_TIME_PATTERN.pattern}(?P<event>.*collided)")
+STEADY_EXTREME_RTOL = 0.3  # relative: extremes that differ by more do not belong to a steady oscillation
 DOUBLINGS, SETTLED = 10, 1e-7  # doublings of the duration, and the relative change below which a value is constant
 
 
@@ -265,7 +267,7 @@ def in_numbers(structured: StructuredQuestion, motion: FollowedMotion, words: Wo
     else:
         when = "burned out" if match["ref"] == AT_BURNOUT else START
         initial = pose_question(StructuredQuestion(find, match["of"] or "", when), motion, words)
-    value = initial.followed(motion).answer
+    value = initial.simulate_answer(motion).answer
     if not value:
         raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
     moment = f"{find}{of} = {float(match['factor']) * value:.15g} {initial.unit(words)}"
@@ -289,7 +291,7 @@ def _settled(structured: StructuredQuestion, motion: FollowedMotion, words: Word
     for _ in range(DOUBLINGS):
         timed = replace(structured, when=f"at {until:.15g} {unit}")
         question = pose_question(timed, motion, words)
-        followed = question.followed(motion)
+        followed = question.simulate_answer(motion)
         answer = followed.answer
         if answer is None:
             break
@@ -313,11 +315,11 @@ def _nothing_greater(query: Query, followed: SimulatedAnswer) -> bool:
     if not isinstance(extreme, Extreme) or not isinstance(query, StretchQuery) or answer is None:
         return False
     end = trace.stable_until
-    late = extreme.between(trace, query.name, 0.5 * end, end)
+    late = extreme.extreme_between(trace, query.name, 0.5 * end, end)
     if late is None:
         return False
     again, size = abs(late - answer) <= SETTLED * abs(answer), max(abs(late), abs(answer))
-    return again or abs(late - answer) > APART * size
+    return again or abs(late - answer) > STEADY_EXTREME_RTOL * size
 
 
 def _later(
@@ -325,7 +327,7 @@ def _later(
 ) -> StructuredQuestion:
     """Return a question with a time counted from the start, for one counted from a collision."""
     began = pose_question(StructuredQuestion("time", "", match["event"]), motion, words)
-    answer = began.followed(motion).answer
+    answer = began.simulate_answer(motion).answer
     if answer is None or began.unit(words) != match["unit"] or structured.find == "time":
         raise TextError("when", "there is no such collision", "name a moment")
     return replace(structured, when=f"at {answer + float(match['late']):.15g} {match['unit']}")

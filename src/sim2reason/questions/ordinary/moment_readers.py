@@ -6,18 +6,27 @@ from dataclasses import replace
 from math import tau
 
 from sim2reason.questions.ordinary.clause_heads import HOME
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.moment_phrases import AFTER, BEFORE, DURING, LONG, ONLY_LINE, THEN, When, ways_of
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import (
+    AFTER,
+    BEFORE,
+    DURING,
+    LONG,
+    ONLY_LINE,
+    THEN,
+    When,
+    read_directions,
+)
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
     DIES_AWAY,
+    DIRECTION_WORDS,
     GROUNDS,
     ON,
     QUANTITIES,
     SETS_OFF,
     STRAIGHT,
-    WAYS,
     matching_entry,
 )
 
@@ -37,7 +46,7 @@ def subject_of(match: re.Match[str], sentence: TokenizedSentence, subject: str) 
     return sentence.subject(match.groupdict().get("s")) or subject
 
 
-def simply(name: str, side: str = "") -> Reader:
+def subject_moment_reader(name: str, side: str = "") -> Reader:
     """Return a reader for a named moment of one subject, such as *stopped*."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
@@ -64,7 +73,7 @@ def turned_back(name: str, presumption: str) -> Reader:
     return read
 
 
-def alone(name: str) -> Reader:
+def unique_moment_reader(name: str) -> Reader:
     """Return a reader for a moment that is unique in a scene, whatever subject is named."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
@@ -74,16 +83,16 @@ def alone(name: str) -> Reader:
     return read
 
 
-def jump(*names: str) -> Reader:
+def velocity_jump_reader(*names: str) -> Reader:
     """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         who, groups = subject_of(found, heard, subject), found.groupdict()
         number = groups.get("number") or ""
         for name in names:
-            both = _both(who, heard) if found[0].startswith("their ") or who.startswith(f"{ALL} ") else ""
+            both = _both(who, heard) if found[0].startswith("their ") or who.startswith(f"{ALL_WORD} ") else ""
             its = name != "collided" or groups.get("s") or re.match(r"its |@\d+@ 's ", found[0])
-            of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL} ") else ""
+            of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL_WORD} ") else ""
             moment = " ".join(filter(None, (number, of, name)))
             for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
                 yield When(f"{moment} before" if side == BEFORE else moment, side)
@@ -93,12 +102,14 @@ def jump(*names: str) -> Reader:
 
 def _both(who: str, sentence: TokenizedSentence) -> str:
     """Return the two bodies that a plural phrase means; empty unless it means two."""
-    joint = [subject for subject in (who, *sentence.subjects) if subject.startswith(f"{ALL} ")]
-    both = joint[0].removeprefix(f"{ALL} ") if joint else ""
+    joint = [subject for subject in (who, *sentence.subjects) if subject.startswith(f"{ALL_WORD} ")]
+    both = joint[0].removeprefix(f"{ALL_WORD} ") if joint else ""
     return both if both.count(" & ") == 1 else ""
 
 
-def meet(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
+def read_pair_collision(
+    match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str
+) -> Iterator[When]:
     """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
     del subject
     both = f"{sentence.subject(match['s'])} & {sentence.subject(match['t'])}"
@@ -108,13 +119,15 @@ def meet(match: re.Match[str], sentence: TokenizedSentence, subject: str, reques
 
 def meet_again(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
     """Yield a numbered collision of two named bodies."""
-    for when in meet(match, sentence, subject, requested_side):
+    for when in read_pair_collision(match, sentence, subject, requested_side):
         yield replace(when, told=f"{match['number']} {when.told}")
 
 
-def met(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
+def read_collision_with(
+    match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str
+) -> Iterator[When]:
     """Yield the collision of the question's subject with a named body."""
-    if subject and subject != sentence.subject(match["t"]) and not subject.startswith(f"{ALL} "):
+    if subject and subject != sentence.subject(match["t"]) and not subject.startswith(f"{ALL_WORD} "):
         both = f"{subject} & {sentence.subject(match['t'])}"
         for side in (BEFORE, AFTER) if requested_side in (THEN, DURING) else (requested_side,):
             yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
@@ -127,10 +140,12 @@ def landed(match: re.Match[str], sentence: TokenizedSentence, subject: str, side
     if side != AFTER and number in ("", "first"):
         yield When(f"{who} landed", BEFORE)
     yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
-    yield from jump("edge landed")(match, sentence, subject, side)
+    yield from velocity_jump_reader("edge landed")(match, sentence, subject, side)
 
 
-def joined(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
+def read_joint_motion(
+    match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str
+) -> Iterator[When]:
     """Yield the moment from which bodies move together, when slipping ends."""
     yield When("stopped slipping", BEFORE if requested_side == BEFORE else AFTER)
     both = _both(subject_of(match, sentence, subject), sentence)
@@ -138,7 +153,7 @@ def joined(match: re.Match[str], sentence: TokenizedSentence, subject: str, requ
         yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", requested_side, rank=LAST)
 
 
-def rather(reader: Reader) -> Reader:
+def with_last_rank(reader: Reader) -> Reader:
     """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
@@ -147,11 +162,13 @@ def rather(reader: Reader) -> Reader:
     return read
 
 
-def moved(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_displacement(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
     who, number = subject_of(match, sentence, subject), sentence.number(match["n"])
-    axis = matching_entry(WAYS, match.groupdict().get("way") or "")
-    ways = tuple((body, direction) for body, direction in ways_of(match, who) if direction != axis or axis not in LINES)
+    axis = matching_entry(DIRECTION_WORDS, match.groupdict().get("way") or "")
+    ways = tuple(
+        (body, direction) for body, direction in read_directions(match, who) if direction != axis or axis not in LINES
+    )
     if is_time(number):
         yield When(f"at {number}", side, ways)
     elif axis in LINES:
@@ -171,21 +188,23 @@ def moved(match: re.Match[str], sentence: TokenizedSentence, subject: str, side:
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
 
 
-def covered(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_path_length(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the subject of a question has moved a length that stands alone, as in *after 3 m*."""
     number = sentence.number(match["n"])
     if side in (AFTER, DURING) and _LENGTH.search(number) is not None:
         yield When(f"{subject} moved {number}", side)
 
 
-def relatively(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_relative_displacement(
+    match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str
+) -> Iterator[When]:
     """Yield the moment when a body has moved a distance along its carrier."""
     who = sentence.subject(match["s"]) or subject
     moment = f"displacement relative to its carrier of {who} = {sentence.number(match['n'])}"
     yield When(moment, side, ((who, f"{ON}{sentence.subject(match['t'])}"),) if match["t"] else ())
 
 
-def returned(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_return(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on a straight line is back where it started."""
     who = subject_of(match, sentence, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
@@ -194,8 +213,8 @@ def returned(match: re.Match[str], sentence: TokenizedSentence, subject: str, si
 
 def stops_going(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that moves in one direction comes to rest."""
-    for when in simply("stopped")(match, sentence, subject, side):
-        yield replace(when, ways=(*when.ways, *ways_of(match, subject_of(match, sentence, subject))))
+    for when in subject_moment_reader("stopped")(match, sentence, subject, side):
+        yield replace(when, ways=(*when.ways, *read_directions(match, subject_of(match, sentence, subject))))
 
 
 def has_component(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
@@ -204,7 +223,7 @@ def has_component(match: re.Match[str], sentence: TokenizedSentence, subject: st
     yield When(f"velocity of {who} along {match['axis']} = {sign}{sentence.number(match['n'])}", side)
 
 
-def at_place(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_coordinate(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a coordinate of a body has a given value."""
     who, axis = subject_of(match, sentence, subject), match["axis"]
     value = f"{'-' if match['sign'] else ''}{sentence.number(match['n'])}"
@@ -222,7 +241,7 @@ def quantity_is(match: re.Match[str], sentence: TokenizedSentence, subject: str,
         yield When(f"height above the ground of {who} = {sentence.number(match['n'])}", side)
 
 
-def directed(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_component_sign(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the vertical component of a velocity or an acceleration has a given value."""
     sign = "-" if match["up"] == "down" else ""
     yield When(
@@ -230,7 +249,7 @@ def directed(match: re.Match[str], sentence: TokenizedSentence, subject: str, si
     )
 
 
-def at(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_time(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at a stated time, presuming, for a time after lift-off, that the body lifts off at once."""
     number = sentence.number(match["n"])
     ways = ((subject, SETS_OFF),) if LIFT_OFF.search(sentence.text) is not None else ()
@@ -254,7 +273,7 @@ def angle(match: re.Match[str], sentence: TokenizedSentence, subject: str, side:
     yield When(f"{subject_of(match, sentence, subject)} deflected {sentence.number(match['n'])}", side)
 
 
-def turned(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def read_turn(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has turned through a given angle."""
     who, number = subject_of(match, sentence, subject), sentence.number(match["n"])
     yield When(f"{who} turned through {number}", side)
@@ -264,14 +283,14 @@ def turned(match: re.Match[str], sentence: TokenizedSentence, subject: str, side
         yield When(f"revolutions made of {who} = {turns:.15g}", side, rank=LAST)
 
 
-def apsis(name: str) -> Reader:
+def apsis_reader(name: str) -> Reader:
     """Return a reader for the moment when two bodies are farthest apart or closest together.
 
     They are the two that are named, or the body of which the question is asked and its only partner.
     """
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
-        named = [heard.subject(found.groupdict().get(key)).removeprefix(f"{ALL} ") for key in "st"]
+        named = [heard.subject(found.groupdict().get(key)).removeprefix(f"{ALL_WORD} ") for key in "st"]
         both = " & ".join(phrase for phrase in named if phrase)
         for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):
             yield When(f"{who} {name}".strip(), asked, rank=rank)

@@ -5,14 +5,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isclose
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS
+from sim2reason.questions.ordinary.vocabulary import GENERIC_NOUNS, NOUNS
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ConstantTension
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.dsl.vectors import inner
 from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, center_path
 from sim2reason.simulation.quantities.subjects.interactions import Springs, Strings, pulleys
-from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines, load_center, welded_to
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines, load_center, welded_bodies
 
 Ranked = tuple[int, str, str]
 """How specific a pattern is, the phrase of the text, and the pattern of its names."""
@@ -39,7 +39,7 @@ _OVER = (
 )
 _PARTS = "(?:part|section|piece|segment|portion|side)"
 _PART = rf"(?:{_PARTS} of (?:the )?)?"
-_WAYS = {"vertical|hanging|upright": 1.0, "horizontal|level": 0.0}
+_DIRECTION_COMPONENTS = {"vertical|hanging|upright": 1.0, "horizontal|level": 0.0}
 _COUNTED = "first", "second", "third", "fourth"
 UPRIGHT = 1e-6
 
@@ -55,7 +55,7 @@ class NamedLine(NamedTuple):
     over: tuple[str, ...]
 
 
-def alike(noun: str, *others: str) -> str:
+def noun_alternatives(noun: str, *others: str) -> str:
     """Return the alternatives of a pattern for a noun: its synonyms and other given nouns."""
     return "|".join(sorted({noun, *others} | group(noun)))
 
@@ -73,11 +73,11 @@ def between(phrase: str, lone: frozenset[str] = frozenset()) -> Iterable[Ranked]
     parts = re.fullmatch(r"the (?:part of the )?(\w+) between (.+) and (.+)", phrase)
     if parts is None:
         return
-    nouns = alike(parts[1])
-    ends = [_end(parts[2], lone), _end(parts[3], lone)]
+    nouns = noun_alternatives(parts[1])
+    ends = [_end_pattern(parts[2], lone), _end_pattern(parts[3], lone)]
     kinds = {noun for noun, _, _ in (end.removeprefix("the ").partition(" ") for end in parts.groups()[1:])}
     if len(kinds) == 1:
-        both = rf"(?:the )?(?:two )?(?:{alike(*kinds, *ANYTHING)})e?s"
+        both = rf"(?:the )?(?:two )?(?:{noun_alternatives(*kinds, *GENERIC_NOUNS)})e?s"
         yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {both}\b(?! [A-Z]\b)"
     for one, other in (ends, reversed(ends)):
         pattern = rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
@@ -88,7 +88,7 @@ def named_lines(words: Words) -> Iterable[Ranked]:
     """Yield ranked patterns of all unique names of strings and springs."""
     for kind, noun in ((Strings(), "string"), (Springs(), "spring")):
         lines = [_named(name, noun, words) for name in kind.names(words.mechanism)]
-        known = words.called(kind)
+        known = words.subject_phrases(kind)
         for unsaid in lines:
             line = unsaid._replace(phrase=known.get(unsaid.name, unsaid.name))
             yield from _by_ends(line, lines)
@@ -99,14 +99,14 @@ def named_lines(words: Words) -> Iterable[Ranked]:
 def swinging_lines(words: Words) -> Iterable[Ranked]:
     """Yield ranked patterns that name an arm by a line from its axle to a body on the side of the centre of mass."""
     mechanism = words.mechanism
-    for name, phrase in words.called(SwingingLines()).items():
+    for name, phrase in words.subject_phrases(SwingingLines()).items():
         body = mechanism.body.get(name)
         if body is None:
             continue
         heavy = load_center(mechanism, body)
-        for part in welded_to(mechanism, name):
+        for part in welded_bodies(mechanism, name):
             if part.name in words.mentions and inner(heavy, part.at) > 0.0:
-                to = rf"(?:(?:the )?centre (?:of mass )?of )?{_end(words.mentions[part.name])}"
+                to = rf"(?:(?:the )?centre (?:of mass )?of )?{_end_pattern(words.mentions[part.name])}"
                 pattern = rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)"
                 yield 2500, phrase, pattern
 
@@ -133,17 +133,17 @@ def _named(name: str, noun: str, words: Words) -> NamedLine:
 
 def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     """Yield ranked patterns that name a line by its two ends, or by a single end at which no other line ends."""
-    string = rf"\b(?:[Tt]he )?{_PART}(?:{alike(line.noun)})"
+    string = rf"\b(?:[Tt]he )?{_PART}(?:{noun_alternatives(line.noun)})"
     one, other = line.ends
     if one and other and [{*each.ends} for each in lines].count({one, other}) == 1:
-        first, second = _end(one), _end(other)
+        first, second = _end_pattern(one), _end_pattern(other)
         pair = rf"(?:{first} (?:and|to|with) {second}|{second} (?:and|to|with) {first})"
         yield 1900, line.phrase, rf"{string} {_JOINING} {pair}(?! [A-Z]\b)"
     everywhere = [end for each in lines for end in each.ends]
     for end, axle in zip(line.ends, line.axles, strict=True):
         if not end or everywhere.count(end) != 1 or ("pulley" in end and not axle):
             continue
-        end_pattern = _end(end)
+        end_pattern = _end_pattern(end)
         if end == "the hand":
             holds = r"(?:(?:that|which) )?(?:(?:the )?hand (?:pulls|holds)(?: on)?|held by (?:the )?hand)"
             yield 1450, line.phrase, rf"{string} {holds}"
@@ -169,7 +169,7 @@ def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     """Yield ranked patterns that name a line by a pulley over which no other line passes."""
     for pulley in line.over:
         if sum(pulley in each.over for each in lines) == 1:
-            pattern = rf"\b(?:[Tt]he )?(?:{alike(line.noun)}) {_OVER} {_end(pulley)}(?! [A-Z]\b)"
+            pattern = rf"\b(?:[Tt]he )?(?:{noun_alternatives(line.noun)}) {_OVER} {_end_pattern(pulley)}(?! [A-Z]\b)"
             yield 1450, line.phrase, pattern
 
 
@@ -178,20 +178,22 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
     counted = re.fullmatch(rf"the {line.noun} (\d)|{line.noun} (\d)", line.phrase)
     if counted is not None and 0 < int(counted[1] or counted[2]) <= len(_COUNTED):
         yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_COUNTED[int(counted[1] or counted[2]) - 1]} {line.noun}\b"
-    strings = rf"(?:{alike(line.noun)})"
+    strings = rf"(?:{noun_alternatives(line.noun)})"
     if len(lines) == 1 and line.noun == "string" and "between" not in line.phrase:
-        adjectives = "|".join((*_WAYS, "sloping", "inclined"))
+        adjectives = "|".join((*_DIRECTION_COMPONENTS, "sloping", "inclined"))
         yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjectives}) {_PARTS} of (?:the )?{strings}\b"
     if not line.phrase.startswith("the part of"):
         return
     tilts = {each.name: _tilt(each, words) for each in lines}
-    for adjective, tilt in _WAYS.items():
+    for adjective, tilt in _DIRECTION_COMPONENTS.items():
         alone = [name for name, line_tilt in tilts.items() if line_tilt is not None and abs(line_tilt - tilt) < UPRIGHT]
         if alone == [line.name]:
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjective}) {_PARTS} of (?:the )?{strings}\b"
     for end in line.ends:
         if end and "pulley" not in end and [e for each in lines for e in each.ends].count(end) == 1:
-            beside = rf"(?:on (?:the side of )?|beside |next to |above |near |at |towards ){_end(end)}(?:'s side)?"
+            beside = (
+                rf"(?:on (?:the side of )?|beside |next to |above |near |at |towards ){_end_pattern(end)}(?:'s side)?"
+            )
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_PARTS} of (?:the )?{strings} {beside}(?! [A-Z]\b)"
 
 
@@ -205,7 +207,7 @@ def _tilt(line: NamedLine, words: Words) -> float | None:
     return abs(path.ways[0][2]) if path is not None and path.straight else None
 
 
-def _end(phrase: str, lone: frozenset[str] = frozenset()) -> str:
+def _end_pattern(phrase: str, lone: frozenset[str] = frozenset()) -> str:
     """Return a pattern for an end of a line: a letter with or without a noun, a pulley with or without its axle.
 
     A `lone` noun may stand without its letter.
@@ -214,11 +216,11 @@ def _end(phrase: str, lone: frozenset[str] = frozenset()) -> str:
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
         alone = f"|{noun}(?! {letter})" if noun in lone else ""
-        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{alike(noun, *ANYTHING)})(?:e?s)? )?{letter}{alone})"
+        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{noun_alternatives(noun, *GENERIC_NOUNS)})(?:e?s)? )?{letter}{alone})"
     return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"
 
 
-NEAR = 0.01  # relative: largest difference from a particle's mass, as texts round masses
+PARTICLE_MASS_RTOL = 0.01  # relative: largest difference from a particle's mass, as texts round masses
 MASSES: Mapping[str, float] = {"electron": 9.1094e-31, "proton": 1.6726e-27}
 """The masses of particles, kg."""
 
@@ -229,17 +231,17 @@ def with_particles(text: str, words: Words) -> str:
     for particle, mass in MASSES.items():
         fits = [
             phrase
-            for name, phrase in words.called(Bodies()).items()
-            if isclose(words.mechanism.body[name].mass * factor, mass, rel_tol=NEAR)
+            for name, phrase in words.subject_phrases(Bodies()).items()
+            if isclose(words.mechanism.body[name].mass * factor, mass, rel_tol=PARTICLE_MASS_RTOL)
         ]
         if len(fits) == 1:
             text = re.sub(rf"\b(?:[Tt]he )?{particle}\b", fits[0], text)
     return text
 
 
-ALIKE = 1e-9  # relative: masses that differ by less are equal
+EQUAL_MASS_RTOL = 1e-9  # relative: masses that differ by less are equal
 PAIR = 2
-Chosen = Callable[[list[str], Words], list[str]]
+BodyChoice = Callable[[list[str], Words], list[str]]
 
 
 def with_letters(text: str, words: Words) -> str:
@@ -248,7 +250,7 @@ def with_letters(text: str, words: Words) -> str:
     A description distinguishes bodies that share a noun, such as block A and block B; another one is left as it is.
     """
     for noun, phrases in _lettered(words).items():
-        nouns = "|".join(sorted(group(noun) | ANYTHING | {noun, "mass", "one"}))
+        nouns = "|".join(sorted(group(noun) | GENERIC_NOUNS | {noun, "mass", "one"}))
         for template, chosen in _DESCRIPTIONS.items():
             fitting = chosen(list(phrases), words)
             if len(fitting) == 1:
@@ -260,7 +262,7 @@ def with_letters(text: str, words: Words) -> str:
 def _lettered(words: Words) -> Mapping[str, Mapping[str, str]]:
     """Return the phrases of bodies that have a letter, by their noun and the name of the body."""
     lettered: dict[str, dict[str, str]] = {}
-    for name, phrase in words.called(Bodies()).items():
+    for name, phrase in words.subject_phrases(Bodies()).items():
         match = re.fullmatch(r"(?:the )?(\w+) [A-Z]", phrase)
         if match is not None:
             lettered.setdefault(match[1], {})[name] = phrase
@@ -283,20 +285,20 @@ def _on_fixed_face(names: list[str], words: Words) -> list[str]:
     return [name for name in names if name in words.mechanism.contacts and words.mechanism.body[name].parent is None]
 
 
-def _by_mass(*, heaviest: bool) -> Chosen:
+def _by_mass(*, heaviest: bool) -> BodyChoice:
     """Return a choice of the heavier of two bodies, or of the lighter one."""
 
     def chosen(names: list[str], words: Words) -> list[str]:
-        if len(names) != PAIR or not {f"{name}.mass" for name in names} <= words.said:
+        if len(names) != PAIR or not {f"{name}.mass" for name in names} <= words.stated_paths:
             return []
         mass = {name: words.mechanism.body[name].mass for name in names}
         light, heavy = sorted(names, key=lambda name: mass[name])
-        return [heavy if heaviest else light] if mass[heavy] > mass[light] * (1.0 + ALIKE) else []
+        return [heavy if heaviest else light] if mass[heavy] > mass[light] * (1.0 + EQUAL_MASS_RTOL) else []
 
     return chosen
 
 
-def _in_pile(position: int, count: int = 0) -> Chosen:
+def _in_pile(position: int, count: int = 0) -> BodyChoice:
     """Return a choice by the position in a pile of bodies each of which carries the next one, from 0 at its foot.
 
     With a `count`, the pile must have so many.
@@ -315,7 +317,7 @@ def _in_pile(position: int, count: int = 0) -> Chosen:
     return chosen
 
 
-_DESCRIPTIONS: Mapping[str, Chosen] = {
+_DESCRIPTIONS: Mapping[str, BodyChoice] = {
     "(?:hanging|suspended) {nouns}": _hanging,
     "{nouns} (?:that hangs|hanging) from the (?:string|rope|cord)": _hanging,
     "{nouns} on the (?:table|plane|slope|incline|ramp|floor|track)": _on_fixed_face,

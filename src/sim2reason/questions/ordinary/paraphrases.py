@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.base_forms import PLACES, WAY, way_of, with_base_forms
+from sim2reason.questions.ordinary.base_forms import DIRECTION_PATTERN, PLACE_PATTERN, way_of, with_base_forms
 from sim2reason.questions.ordinary.clause_heads import START_WORDS, S
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.main_rows import ALL_COLLISIONS, ROWS, SIZES, VERBS
-from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either, matching_entry
+from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, any_of_pattern, matching_entry
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 _ASKS = re.compile(r"\b(?:what|which|where|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
@@ -40,7 +40,7 @@ def _part(told: str) -> re.Pattern[str]:
     told = told.replace("{size}", "|".join(f"(?P<{name}>{row})" for name, row in SIZES.items()))
     told = told.replace("{quantity}", f"(?P<quantity>{_quantities()})").replace("{motion}", _motions())
     for name in ("friction", "normal"):
-        told = told.replace(f"{{{name}}}", either(QUANTITIES[f"{name} force"].split("|")))
+        told = told.replace(f"{{{name}}}", any_of_pattern(QUANTITIES[f"{name} force"].split("|")))
     return re.compile(rf"(?<![\w@#-])(?:{told.replace('SURFACE', GROUNDS).replace('GROUNDS', GROUNDS)})(?![\w@#-])")
 
 
@@ -53,7 +53,7 @@ def _quantities() -> str:
 
 @cache
 def _motions() -> str:
-    return either(PHRASES["ITS_MOTION"].split("|"))
+    return any_of_pattern(PHRASES["ITS_MOTION"].split("|"))
 
 
 def paraphrased(question: str) -> Iterator[str]:
@@ -65,7 +65,7 @@ def paraphrased(question: str) -> Iterator[str]:
         return
     if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
         return  # a change of the length, maybe not counted from the natural length
-    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", _singular(question)).split())
+    text = " ".join(DIRECTION_PATTERN.sub(lambda match: f" <{way_of(match['way'])}> ", _singular(question)).split())
     text = _WORK_OUT.sub("find", with_base_forms(text))
     for row in ROWS:
         yield from _filled(row, text)
@@ -110,23 +110,27 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     if rest is None or _MATTERS.search(rest) is not None:
         return
     ways = re.findall(r"<(.+?)>", rest)
-    rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
+    rest = PLACE_PATTERN.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))
-    if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in row.plain) or len(subjects) > row.subjects:
+    if (
+        set(re.sub(S, " ", rest).split()) - _LOOSE
+        or len(ways) > ("{way}" in row.plain_clause)
+        or len(subjects) > row.subjects
+    ):
         return
-    if (row.subjects == 2 and not subjects) or (row.plain == ALL_COLLISIONS and subjects):
+    if (row.subjects == 2 and not subjects) or (row.plain_clause == ALL_COLLISIONS and subjects):
         return
-    force = row.plain.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
+    force = row.plain_clause.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
         "quantity"
     ) in ("force", "pull")
     if force and _ON_GROUND.search(text) is not None:
         return
-    if "impulse does {s}" in row.plain and re.search(GROUNDS, text) is not None:
+    if "impulse does {s}" in row.plain_clause and re.search(GROUNDS, text) is not None:
         return  # exchanged with that
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"
     one, other = (*subjects, "", "")[:2]
-    clause = row.plain.format(
+    clause = row.plain_clause.format(
         s=one,
         t=other,
         way=f" {ways[0]}" if ways else "",
@@ -135,7 +139,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         axis=groups.get("axis", ""),
         quantity=groups.get("quantity", ""),
         toward=groups.get("toward", "").strip("<>"),
-        side=_side(row.plain, groups.get("side", "")),
+        side=_side(row.plain_clause, groups.get("side", "")),
         line=groups.get("line", ""),
         speed="angular speed" if verb == "turn" else "speed",
     )
@@ -144,7 +148,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     )
 
 
-OUTCOMES: Mapping[str, tuple[str, bool]] = {
+OUTCOMES_BY_PATTERN: Mapping[str, tuple[str, bool]] = {
     r"roll without (?:slip|slide|skid)(?:ping)?|not (?:begin |start )?(?:to )?(?:slip|skid)|without slip(?:ping)?": (
         "slides",
         False,
@@ -222,9 +226,11 @@ class DecidingNumber(NamedTuple):
     least: bool | None
 
 
-def limits(sentence: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
+def read_deciding_numbers(sentence: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
     """Yield the number that a sentence such as *what mass makes A slip* asks for, if this accounts for every word."""
-    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", _HEAVY.sub(_mass, sentence.text)).split())
+    text = " ".join(
+        DIRECTION_PATTERN.sub(lambda match: f" <{way_of(match['way'])}> ", _HEAVY.sub(_mass, sentence.text)).split()
+    )
     number_match = _parameter(tuple(numbers.values())).search(text)
     if (
         number_match is None
@@ -237,7 +243,7 @@ def limits(sentence: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[
     has = _HAS.search(rest) if not (number_match["own"] or number_match["of"]) else None
     owner = sentence.subject(number_match["own"] or number_match["of"] or (has["who"] if has is not None else None))
     rest = with_base_forms(_ASIDES.sub(" ", rest if has is None else f"{rest[: has.start()]} {rest[has.end() :]}"))
-    for wording, (does, happens) in OUTCOMES.items():
+    for wording, (does, happens) in OUTCOMES_BY_PATTERN.items():
         match = re.search(rf"(?<![\w@])(?:{wording})(?![\w@])", rest)
         if match is None:
             continue
@@ -246,7 +252,7 @@ def limits(sentence: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[
             others, count = re.subn(rf"\b(?:{row})\b", " ", others)
             smallest = small if count else smallest
         subjects = list(dict.fromkeys(re.findall(r"@\d+@", f"{others} {match.groupdict().get('kept') or ''}")))
-        words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
+        words = PLACE_PATTERN.sub(" ", re.sub(r"@\d+@", " ", others)).split()
         if len(subjects) <= 1 and not set(words) - _LIMIT_FILLERS:
             alone = has["who"] if has is not None and not _ALL.search(others) else None
             of = sentence.subject(subjects[0] if subjects else alone)
@@ -261,6 +267,6 @@ _NOT_NATURAL = r"(?:(?<!initial )(?<!starting )(?<!original )|(?!length))"  # *t
 
 @cache
 def _parameter(rows: tuple[str, ...]) -> re.Pattern[str]:
-    names = either(name for row in rows for name in row.split("|"))
+    names = any_of_pattern(name for row in rows for name in row.split("|"))
     name = rf"(?<![\w-]){_NOT_NATURAL}(?P<p>{names})(?![\w-])"
     return re.compile(rf"(?:(?P<own>@\d+@) 's )?{name}(?: of (?P<of>@\d+@))?(?: at start)?")

@@ -6,21 +6,21 @@ import numpy as np
 
 from sim2reason.questions.following import SimulatedAnswer
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.hearing import ALL_WORD
 from sim2reason.questions.ordinary.moment_phrases import AFTER
-from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
-from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
+from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMPTIONS, is_carried, is_fixed_spring_of
+from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, find_named_body, is_only_force
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import (
-    BORNE,
+    BELOW_CARRIER_PREFIX,
+    CARRIED_BY_PREFIX,
     FIXED_FACE,
     HELD,
     ON,
+    ONLY_FORCE_PREFIX,
     ORIGIN,
     ROUND,
-    SOLE,
     THEN_GOES,
-    UNDER,
 )
 from sim2reason.questions.query import Query, Target
 from sim2reason.questions.study import SimulatedScene
@@ -38,7 +38,7 @@ UP = {"up": 1.0, "down": -1.0}
 
 def goes_then(case: Case, direction: str) -> bool:
     """Return whether a body moves up, or down, after the moment, while the quantity keeps its value."""
-    name, trace, target = named(case.who, case.words), case.followed.study.trace, case.query.target
+    name, trace, target = find_named_body(case.who, case.words), case.followed.study.trace, case.query.target
     began = float(np.nextafter(case.then, np.inf))
     later = [event.time for event in trace.events if event.time > began * (1.0 + EVEN) and event.changes_motion]
     end = min([*later, trace.stable_until])
@@ -54,7 +54,7 @@ EARLY = 0.5  # of an interval: by then the direction of motion is established
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
 
 
-def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
+def unsteadiness_reason(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector: bool) -> str:
     """Return a clause that says why a quantity asked for without a moment has no single value; empty if there is one.
 
     A value is single if it does not change, its direction included for a `vector`. It may change from the first event
@@ -101,7 +101,7 @@ def bounces_before(moment: Stopped, trace: Trace) -> bool:
     return hits and float(np.linalg.norm(Acceleration.evaluate(trace.at(time), moment.name))) > EVEN
 
 
-def presumed(reading: Reading, followed: SimulatedAnswer, query: Query, words: Words) -> Iterator[str]:
+def check_presumptions(reading: Reading, followed: SimulatedAnswer, query: Query, words: Words) -> Iterator[str]:
     """Yield a clause for each presumption of a reading that fails, and an empty string for each that holds."""
     trace = followed.study.trace
     time = followed.study.time(query.moment) if query.moment is not None else None
@@ -111,7 +111,7 @@ def presumed(reading: Reading, followed: SimulatedAnswer, query: Query, words: W
     late = (
         time if time and reading.side == AFTER else then
     )  # what is asked for just after an event moves as it does then
-    for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.moving, late)):
+    for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.present_directions, late)):
         for who, presumption in ways:
             if presumption in AXES:
                 yield (
@@ -125,66 +125,70 @@ def presumed(reading: Reading, followed: SimulatedAnswer, query: Query, words: W
                     if _from_origin(who, presumption[-1], followed.study, words)
                     else f"{who} does not start at the origin"
                 )
-            elif presumption.startswith(SOLE):
-                text = presumption.removeprefix(SOLE)
-                yield "" if alone(text, who, words) else f"{text} is not the only force on {who}"
+            elif presumption.startswith(ONLY_FORCE_PREFIX):
+                text = presumption.removeprefix(ONLY_FORCE_PREFIX)
+                yield "" if is_only_force(text, who, words) else f"{text} is not the only force on {who}"
             elif presumption.startswith(ON):
                 face = presumption.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
             elif presumption.startswith(THEN_GOES):
                 goes = goes_then(Case(who, followed, query, then, words), presumption.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
-            elif presumption == ALL or presumption.startswith((HELD, ROUND, BORNE, UNDER)):
+            elif presumption == ALL_WORD or presumption.startswith(
+                (HELD, ROUND, CARRIED_BY_PREFIX, BELOW_CARRIER_PREFIX)
+            ):
                 yield _beside(who, presumption, words)
             else:
-                text, holds = PRESUMED[presumption]
+                text, holds = PRESUMPTIONS[presumption]
                 yield "" if holds(Case(who, followed, query, then, words)) else text.format(who=who)
 
 
 def _goes(kind: type[Displacement | Velocity], who: str, direction: str, state: State, words: Words) -> bool:
-    name = named(who, words)
+    name = find_named_body(who, words)
     vector = kind.evaluate(state, name)[0] if name else np.zeros(3)
     return float(vector @ np.array(AXES[direction])) > EVEN * float(np.linalg.norm(vector))
 
 
 def _beside(who: str, presumption: str, words: Words) -> str:
     """Return a message if a presumption that relates a body to other objects fails; empty if the presumption holds."""
-    if presumption == ALL:
+    if presumption == ALL_WORD:
         return "" if _all_bodies(who, words) else f"{who} are not all that moves"
     if presumption.startswith(HELD):
         spring = presumption.removeprefix(HELD)
-        return "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
-    if presumption.startswith(BORNE):
+        return "" if is_fixed_spring_of(who, spring, words) else f"{spring} is not fixed at its other end"
+    if presumption.startswith(CARRIED_BY_PREFIX):
         return (
             ""
-            if borne(who, presumption.removeprefix(BORNE), words)
-            else f"{presumption.removeprefix(BORNE)} does not carry {who}"
+            if is_carried(who, presumption.removeprefix(CARRIED_BY_PREFIX), words)
+            else f"{presumption.removeprefix(CARRIED_BY_PREFIX)} does not carry {who}"
         )
-    if presumption.startswith(UNDER):
-        carrier = presumption.removeprefix(UNDER)
-        level = borne(who, carrier, words) and not center_path(words.mechanism, named(carrier, words)).rises
+    if presumption.startswith(BELOW_CARRIER_PREFIX):
+        carrier = presumption.removeprefix(BELOW_CARRIER_PREFIX)
+        level = (
+            is_carried(who, carrier, words) and not center_path(words.mechanism, find_named_body(carrier, words)).rises
+        )
         return "" if level else f"{who} does not swing below {carrier}"
-    center = named(presumption.removeprefix(ROUND), words)
+    center = find_named_body(presumption.removeprefix(ROUND), words)
     pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
-    return "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
+    return "" if frozenset((find_named_body(who, words), center)) in pulled else f"{who} does not go round that"
 
 
 def _all_bodies(who: str, words: Words) -> bool:
     """Return whether a joint phrase names all bodies that have a mass."""
-    names = {named(each, words) for each in who.removeprefix(f"{ALL} ").split(" & ")}
+    names = {find_named_body(each, words) for each in who.removeprefix(f"{ALL_WORD} ").split(" & ")}
     return names == {body.name for body in words.mechanism.bodies if body.mass > 0.0}
 
 
 def _lies(who: str, face: str, words: Words) -> bool:
-    name = named(who, words)
+    name = find_named_body(who, words)
     if face == FIXED_FACE:
         return name in words.mechanism.contacts and words.mechanism.body[name].parent is None
-    return bool(name) and words.mechanism.body[name].parent == named(face, words)
+    return bool(name) and words.mechanism.body[name].parent == find_named_body(face, words)
 
 
 def _from_origin(who: str, axis: str, study: SimulatedScene, words: Words) -> bool:
     """Return whether a body starts at the origin of an axis; false where heights count from the ground."""
-    name, start = named(who, words), study.trace.at(0.0)
+    name, start = find_named_body(who, words), study.trace.at(0.0)
     if not name or Height().subjects(words.mechanism):
         return False
     given = next((p.value for p in study.scene.parameters if p.path == f"{name}.{axis}"), None)

@@ -7,17 +7,24 @@ import numpy as np
 
 from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.ordinary.moment_phrases import fixed_end
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way, relaxed_at_rest
+from sim2reason.questions.ordinary.presumptions import (
+    EVEN,
+    MOTION_PRESUMPTIONS,
+    STEADY,
+    Case,
+    find_named_body,
+    one_way,
+    relaxed_at_rest,
+)
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
-    BALANCED,
+    ASKS_FOR_POSITION,
     BESIDE,
     CENTERED,
     CENTRAL,
     DIES_AWAY,
     DRAWN,
     FARTHEST,
-    FIXED_END,
     FREE_AXLE,
     GOES_DOWN,
     GOES_UP,
@@ -25,9 +32,10 @@ from sim2reason.questions.ordinary.vocabulary import (
     LIES,
     LIFTS,
     LIGHT,
+    LINE_WITH_FIXED_END,
     LOWEST,
     MUTUAL,
-    PLACED,
+    PASSES_EQUILIBRIUM,
     SIDEWAYS,
     SPRUNG,
     STANDS,
@@ -37,7 +45,7 @@ from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension
 from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path, chain
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, ancestor_chain, center_path
 from sim2reason.simulation.quantities.subjects.interactions import Springs
 from sim2reason.simulation.quantities.subjects.rotating_parts import Pulleys, SwingingLines
 
@@ -61,22 +69,22 @@ def _sideways(case: Case) -> bool:
 
 def _lifts(case: Case) -> bool:
     """Return whether the engine of a body accelerates it upwards at the start."""
-    name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
+    name, start = find_named_body(case.who, case.words), case.followed.study.trace.at(0.0)
     burns = any(burn.body == name for burn in case.words.mechanism.burns)
     return burns and float(Acceleration.evaluate(start, name)[0, 2]) > EVEN
 
 
 def _centered(case: Case) -> bool:
     """Return whether the centre of mass of a body lies on the body's axis."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     return bool(name) and case.words.mechanism.body[name].center == ZERO
 
 
-def held(who: str, spring: str, words: Words) -> bool:
+def is_fixed_spring_of(who: str, spring: str, words: Words) -> bool:
     """Return whether a spring is fixed at one end and tied to a body at the other."""
-    known = {phrase: name for name, phrase in words.called(Springs()).items()}
-    alone = fixed_end(words) if spring == FIXED_END else (known.get(spring, ""),)
-    line, name = words.mechanism.line.get(next(iter(alone), "")), named(who, words)
+    known = {phrase: name for name, phrase in words.subject_phrases(Springs()).items()}
+    alone = fixed_end(words) if spring == LINE_WITH_FIXED_END else (known.get(spring, ""),)
+    line, name = words.mechanism.line.get(next(iter(alone), "")), find_named_body(who, words)
     if line is None:
         return False
     ends = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
@@ -85,20 +93,20 @@ def held(who: str, spring: str, words: Words) -> bool:
 
 def _drawn(case: Case) -> bool:
     """Return whether a hand draws in a string that is tied to a body."""
-    mechanism, name = case.words.mechanism, named(case.who, case.words)
+    mechanism, name = case.words.mechanism, find_named_body(case.who, case.words)
     drawn = [line for line in mechanism.lines if isinstance(line.law, ConstantTension)]
     return any(name == mechanism.site[end].body for line in drawn for end in (line.through[0], line.through[-1]))
 
 
-def borne(who: str, on: str, words: Words) -> bool:
+def is_carried(who: str, on: str, words: Words) -> bool:
     """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
-    mechanism, name = words.mechanism, named(who, words)
+    mechanism, name = words.mechanism, find_named_body(who, words)
     address = _address(on, words)
     if not name:
         return False
     over = [line for line in mechanism.lines if any(site.rpartition(".")[0] == address for site in line.through[1:-1])]
     hung = any(mechanism.site[end].body == name for line in over for end in (line.through[0], line.through[-1]))
-    return hung or named(on, words) in [body.name for body in chain(mechanism, name)[1:]]
+    return hung or find_named_body(on, words) in [body.name for body in ancestor_chain(mechanism, name)[1:]]
 
 
 def _placed(case: Case) -> bool:
@@ -122,17 +130,17 @@ def _balanced(case: Case) -> bool:
 
 def _rising(case: Case) -> bool:
     """Return whether a body moves up at the instant in question, but not at earlier ones with the same value."""
-    return _vertical(case, case.then) > 0.0 and not _before(case) > 0.0
+    return _vertical_velocity(case, case.then) > 0.0 and not _before(case) > 0.0
 
 
 def _falling(case: Case) -> bool:
     """Return whether a body moves down at the instant in question, but not at earlier ones with the same value."""
-    return _vertical(case, case.then) < 0.0 and not _before(case) < 0.0
+    return _vertical_velocity(case, case.then) < 0.0 and not _before(case) < 0.0
 
 
-def _vertical(case: Case, time: float) -> float:
+def _vertical_velocity(case: Case, time: float) -> float:
     """Return the vertical velocity of a body at a time, m/s; zero if no body is meant."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     return float(Velocity.evaluate(case.followed.study.trace.at(time), name)[0, 2]) if name else 0.0
 
 
@@ -142,12 +150,12 @@ def _before(case: Case) -> float:
     if not isinstance(moment, Reached) or moment.number == 1:
         return 0.0
     first = replace(moment, number=1).time(trace)
-    return _vertical(case, first) if first is not None else 0.0
+    return _vertical_velocity(case, first) if first is not None else 0.0
 
 
 def _dies_away(case: Case) -> bool:
     """Return whether the speed of a body at the instant asked about is zero, compared with its own greatest speed."""
-    name, trace = named(case.who, case.words), case.followed.study.trace
+    name, trace = find_named_body(case.who, case.words), case.followed.study.trace
     if not name:
         return False
     speeds = np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
@@ -157,13 +165,13 @@ def _dies_away(case: Case) -> bool:
 
 def _lowest(case: Case) -> bool:
     """Return whether a body is never lower than at the start."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     return bool(name) and float(Displacement.evaluate(case.followed.study.trace.scan, name)[:, 2].min()) >= -EVEN
 
 
 def _stands(case: Case) -> bool:
     """Return whether the speed of a body at the instant asked about is zero, compared with all speeds."""
-    name, trace = named(case.who, case.words), case.followed.study.trace
+    name, trace = find_named_body(case.who, case.words), case.followed.study.trace
     speed = float(np.linalg.norm(Velocity.evaluate(trace.at(case.then), name))) if name else np.inf
     return speed <= STEADY * float(np.abs(trace.scan.v).max(initial=0.0))
 
@@ -180,7 +188,7 @@ def _central(case: Case) -> bool:
 def _swung(who: str, words: Words) -> str:
     """Return the only body with a mass, if it hangs on the swinging line that a phrase means; else an empty string."""
     heavy = [body.name for body in words.mechanism.bodies if body.mass > 0.0]
-    return heavy[0] if len(heavy) == 1 and who in words.called(SwingingLines()).values() else ""
+    return heavy[0] if len(heavy) == 1 and who in words.subject_phrases(SwingingLines()).values() else ""
 
 
 def _across(case: Case) -> bool:
@@ -189,7 +197,7 @@ def _across(case: Case) -> bool:
     What oscillates on a level line has been faster on its way than at both ends of it.
     """
     trace = case.followed.study.trace
-    name = _swung(case.who, case.words) or named(case.who, case.words)
+    name = _swung(case.who, case.words) or find_named_body(case.who, case.words)
     if not name:
         return False
     scan = trace.scan
@@ -223,7 +231,7 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
     """Return a test of whether a body moves along an axis with the given sign, for the first time."""
 
     def test(case: Case) -> bool:
-        name = named(case.who, case.words)
+        name = find_named_body(case.who, case.words)
         senses = Bodies().senses(case.words.mechanism, name) if name else ()
         ways = {sense.axis: np.array(sense.vector) for sense in senses}
         if not {"x", "y"} <= ways.keys():
@@ -242,7 +250,7 @@ def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]
     """Return a test of whether a body is on a given side of an axis and, if `farthest`, never farther from the axis."""
 
     def test(case: Case) -> bool:
-        name, trace = named(case.who, case.words), case.followed.study.trace
+        name, trace = find_named_body(case.who, case.words), case.followed.study.trace
         quantity = QUANTITIES[f"{axis} coordinate"]
         if not farthest and name in quantity.subjects(case.words.mechanism):
             return sign * float(quantity.evaluate(trace.at(case.then), name)[0]) > 0.0
@@ -257,19 +265,22 @@ def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]
     return test
 
 
-PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
-    **OTHERS,
+PRESUMPTIONS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+    **MOTION_PRESUMPTIONS,
     DRAWN: ("no hand pulls {who}", _drawn),
     LIGHT: ("{who} has a weight of its own", _light),
     SIDEWAYS: ("{who} goes along one line", _sideways),
-    BALANCED: ("the motion does not pass through an equilibrium where it is fastest", _balanced),
-    PLACED: ("that is not a matter of the place alone", _placed),
+    PASSES_EQUILIBRIUM: ("the motion does not pass through an equilibrium where it is fastest", _balanced),
+    ASKS_FOR_POSITION: ("that is not a matter of the place alone", _placed),
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),
     CENTERED: ("the centre of mass of {who} is not on its axis", _centered),
     DIES_AWAY: ("{who} does not come to rest by and by", _dies_away),
     ACROSS: ("{who} is on the same side", _across),
-    LIES: ("{who} does not lie on a face", lambda case: named(case.who, case.words) in case.words.mechanism.contacts),
+    LIES: (
+        "{who} does not lie on a face",
+        lambda case: find_named_body(case.who, case.words) in case.words.mechanism.contacts,
+    ),
     LOWEST: ("{who} is not lowest at first", _lowest),
     STANDS: ("{who} does not stand still then", _stands),
     CENTRAL: ("a force acts beside that of the spring", _central),

@@ -13,7 +13,7 @@ from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.occurrence import can_roll, slip_velocity
 from sim2reason.questions.ordinary.moment_phrases import addresses
 from sim2reason.questions.ordinary.vocabulary import (
-    ALOFT,
+    ABOVE_GROUND,
     CARRIED_AT_REST,
     COMPRESSED,
     FALLS,
@@ -32,7 +32,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     ROLLING,
     SETS_OFF,
     SLOWER,
-    SMALL,
+    SMALL_OSCILLATIONS,
     SMOOTH,
     STRAIGHT,
     STRETCHED,
@@ -40,7 +40,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import ends_at_rest
-from sim2reason.questions.structured import resolved
+from sim2reason.questions.structured import resolve_name
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
@@ -52,7 +52,7 @@ from sim2reason.simulation.quantities.subjects.interactions import Springs
 
 STEADY, EVEN = 1e-6, 1e-9  # relative
 OF_PLACES = "spring energy", "extension", "spring length", "height above the ground", "distance", "mass", "fuel left"
-LATER = 1.05  # factor on the end of an interval: least duration of the known motion
+DURATION_MARGIN = 1.05  # factor on the end of an interval: least duration of the known motion
 
 
 class Case(NamedTuple):
@@ -65,10 +65,10 @@ class Case(NamedTuple):
     words: Words
 
 
-def named(who: str, words: Words) -> str:
+def find_named_body(who: str, words: Words) -> str:
     """Return the name of the body that a phrase of the text denotes; empty if there is none."""
     try:
-        return resolved("of", who, words.called(Bodies()))
+        return resolve_name("of", who, words.subject_phrases(Bodies()))
     except TextError:
         return addresses(words).get(who, "")
 
@@ -77,9 +77,9 @@ def _falls(mechanism: Mechanism, name: str) -> bool:
     return mechanism.gravity != ZERO and center_path(mechanism, name).rises
 
 
-def alone(force: str, who: str, words: Words) -> bool:
+def is_only_force(force: str, who: str, words: Words) -> bool:
     """Return whether only one type of force acts on a body: magnetic, electric or one gravitational force."""
-    mechanism, name = words.mechanism, named(who, words)
+    mechanism, name = words.mechanism, find_named_body(who, words)
     laws = [applied_force.law for applied_force in mechanism.forces if applied_force.body == name]
     pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
     if not name or _falls(mechanism, name) or mechanism.lines or mechanism.contacts or (laws and pulls):
@@ -92,7 +92,7 @@ def alone(force: str, who: str, words: Words) -> bool:
 
 def _carried_at_rest(case: Case) -> bool:
     """Return whether the carrier of a body, if any, is at rest at the instant in question."""
-    name, mechanism = named(case.who, case.words), case.words.mechanism
+    name, mechanism = find_named_body(case.who, case.words), case.words.mechanism
     if not name:
         return False
     parent = mechanism.body[name].parent
@@ -116,24 +116,24 @@ def _small(case: Case) -> bool:
 
 
 def _slower(case: Case) -> bool:
-    state, name = case.followed.study.trace.at(case.then), named(case.who, case.words)
+    state, name = case.followed.study.trace.at(case.then), find_named_body(case.who, case.words)
     return bool(name) and float(np.sum(Velocity.evaluate(state, name) * Acceleration.evaluate(state, name))) < 0.0
 
 
 def _compressed(case: Case) -> bool:
-    spring = resolved("of", case.who, case.words.called(Springs()))
+    spring = resolve_name("of", case.who, case.words.subject_phrases(Springs()))
     return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) < 0.0
 
 
 def _stretched(case: Case) -> bool:
-    spring = resolved("of", case.who, case.words.called(Springs()))
+    spring = resolve_name("of", case.who, case.words.subject_phrases(Springs()))
     return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) > 0.0
 
 
 def relaxed_at_rest(case: Case) -> bool:
     """Return whether the only spring is neither stretched nor compressed in equilibrium."""
     rest = equilibrium(case.words.mechanism)
-    springs = list(case.words.called(Springs()))
+    springs = list(case.words.subject_phrases(Springs()))
     if rest is None or rest.free or len(springs) != 1:
         return False
     size = float(np.abs(Extension.evaluate(case.followed.study.trace.scan, springs[0])).max())
@@ -152,7 +152,7 @@ def _only(case: Case) -> bool:
 def _over(case: Case) -> bool:
     """Return whether a functional keeps its value from the instant asked about to a later end of the known motion."""
     trace = case.followed.study.trace
-    if not isinstance(case.query, StretchQuery) or trace.stable_until < LATER * case.then:
+    if not isinstance(case.query, StretchQuery) or trace.stable_until < DURATION_MARGIN * case.then:
         return False
     late = FUNCTIONALS[case.query.functional].loose_value(trace, case.query.name, trace.stable_until)
     return late is not None and isclose(late, case.followed.answer or 0.0, rel_tol=STEADY)
@@ -161,13 +161,13 @@ def _over(case: Case) -> bool:
 def _rising(case: Case) -> bool:
     """Return whether the answer, a height above the start, is greater than zero."""
     scan = case.followed.study.trace.scan
-    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.called(Bodies()))
+    moved = max(float(np.abs(Displacement.evaluate(scan, name)).max()) for name in case.words.subject_phrases(Bodies()))
     return (case.followed.answer or 0.0) > STEADY * moved
 
 
 def _rolling(case: Case) -> bool:
     """Return whether a body has rolled without slipping since the start; true for a body that cannot roll on a face."""
-    name, trace = named(case.who, case.words), case.followed.study.trace
+    name, trace = find_named_body(case.who, case.words), case.followed.study.trace
     if name not in case.words.mechanism.contacts or not can_roll(case.words, name):
         return True
     scan = trace.scan
@@ -181,13 +181,13 @@ def _rests(case: Case) -> bool:
     speeds = np.abs(trace.scan.v).max(axis=1, initial=0.0)
     late = speeds[trace.scan.times > case.then * (1.0 + EVEN)]
     still = float(late.max(initial=0.0)) <= STEADY * float(speeds.max(initial=0.0))
-    return trace.stable_until > LATER * case.then and still and ends_at_rest(trace)
+    return trace.stable_until > DURATION_MARGIN * case.then and still and ends_at_rest(trace)
 
 
 def _lasts(case: Case) -> bool:
     """Return whether a quantity keeps its value from the instant asked about to a later end of the known motion."""
     trace = case.followed.study.trace
-    if case.query.target is None or trace.stable_until < LATER * case.then:
+    if case.query.target is None or trace.stable_until < DURATION_MARGIN * case.then:
         return False
     late = case.query.target.values(trace.scan)[trace.scan.times >= case.then * (1.0 + EVEN)]
     return bool(np.allclose(late, case.followed.answer or 0.0, rtol=STEADY, atol=0.0))
@@ -195,7 +195,7 @@ def _lasts(case: Case) -> bool:
 
 def _straight(case: Case) -> bool:
     """Return whether a body has moved in a straight line, without turning back, up to the instant asked about."""
-    name, scan = named(case.who, case.words), case.followed.study.trace.scan
+    name, scan = find_named_body(case.who, case.words), case.followed.study.trace.scan
     if not name:
         return False
     velocities = Velocity.evaluate(scan, name)[scan.times <= case.then]
@@ -206,7 +206,7 @@ def _straight(case: Case) -> bool:
 
 def one_way(case: Case) -> bool:
     """Return whether a body moves vertically, or along its only possible line, at the instant in question."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     if not name:
         return False
     velocity = Velocity.evaluate(case.followed.study.trace.at(case.then), name)[0]
@@ -223,31 +223,31 @@ def _gained(case: Case) -> bool:
 
 def _level(case: Case) -> bool:
     """Return whether a body can move horizontally only."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     return bool(name) and not center_path(case.words.mechanism, name).rises
 
 
 def _smooth(case: Case) -> bool:
     """Return whether the face on which a body lies exerts no friction on it."""
-    contact = case.words.mechanism.contacts.get(named(case.who, case.words))
+    contact = case.words.mechanism.contacts.get(find_named_body(case.who, case.words))
     return contact is not None and contact.friction == 0.0
 
 
 def _fields_alone(case: Case) -> bool:
     """Return whether only fields and gravitation act on the bodies of a scene."""
-    mechanism, name = case.words.mechanism, named(case.who, case.words)
+    mechanism, name = case.words.mechanism, find_named_body(case.who, case.words)
     return bool(name) and not _falls(mechanism, name) and not mechanism.lines and not mechanism.contacts
 
 
 def _one_line(case: Case) -> bool:
     """Return whether a body can move along one straight line only."""
-    name = named(case.who, case.words)
+    name = find_named_body(case.who, case.words)
     return bool(name) and center_path(case.words.mechanism, name).straight
 
 
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; True if no body is named."""
-    name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
+    name, start = find_named_body(case.who, case.words), case.followed.study.trace.at(0.0)
     moves = (float(np.linalg.norm(quantity.evaluate(start, name))) for quantity in (Velocity, Acceleration) if name)
     return not name or any(size > EVEN for size in moves)
 
@@ -259,15 +259,15 @@ def _unmoved(case: Case) -> bool:
 
 def _only_falls(case: Case) -> bool:
     """Return whether a body never moves upwards before the instant asked about."""
-    name, scan = named(case.who, case.words), case.followed.study.trace.scan
+    name, scan = find_named_body(case.who, case.words), case.followed.study.trace.scan
     rates = Velocity.evaluate(scan, name)[scan.times <= case.then, 2] if name else np.ones(1)
     return float(rates.max(initial=0.0)) <= STEADY * float(np.abs(rates).max(initial=0.0))
 
 
-OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
+MOTION_PRESUMPTIONS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     CARRIED_AT_REST: ("{who} rides on something that moves", _carried_at_rest),
-    ALOFT: ("{who} is on the ground then", _aloft),
-    SMALL: ("the oscillations are not small, and their period depends on how far they go", _small),
+    ABOVE_GROUND: ("{who} is on the ground then", _aloft),
+    SMALL_OSCILLATIONS: ("the oscillations are not small, and their period depends on how far they go", _small),
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
     RELAXED: ("the spring is not relaxed in equilibrium", relaxed_at_rest),

@@ -4,19 +4,19 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.moment_phrases import AFTER, AMPLITUDE, EVERYTHING, When, ways_of
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import AFTER, AMPLITUDE, EVERYTHING, When, read_directions
 from sim2reason.questions.ordinary.vocabulary import (
     BESIDE,
-    BORNE,
+    CARRIED_BY_PREFIX,
     CENTERED,
     CENTRAL,
     DOWN,
     DRAWN,
     FARTHEST,
-    FIXED_END,
     HELD,
     LIES,
+    LINE_WITH_FIXED_END,
     MOTIONS,
     MUTUAL,
     ON,
@@ -56,23 +56,25 @@ class Main:
 Reader = Callable[[re.Match[str], TokenizedSentence], Iterator[Main]]
 
 
-def each(sentence: TokenizedSentence, token: str | None) -> tuple[str, ...]:
+def token_subjects(sentence: TokenizedSentence, token: str | None) -> tuple[str, ...]:
     """Return the subjects of a token: a single subject, or all members of a joint phrase."""
     subject = sentence.subject(token)
-    return tuple(subject.removeprefix(f"{ALL} ").split(" & ")) if subject.startswith(f"{ALL} ") else (subject,)
+    return (
+        tuple(subject.removeprefix(f"{ALL_WORD} ").split(" & ")) if subject.startswith(f"{ALL_WORD} ") else (subject,)
+    )
 
 
-def of_one(*finds: str, needs: str = MOMENT) -> Reader:
+def subject_reader(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for one or several quantities of the subject that a main clause names."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-        for of in each(heard, found.groupdict().get("s")):
+        for of in token_subjects(heard, found.groupdict().get("s")):
             yield from (Main(find, of, needs=needs) for find in finds)
 
     return read
 
 
-def of_none(*finds: str, needs: str = MOMENT) -> Reader:
+def only_subject_reader(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for quantities of the only subject in the scene that has them, whatever subject is named."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
@@ -82,12 +84,12 @@ def of_none(*finds: str, needs: str = MOMENT) -> Reader:
     return read
 
 
-def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
+def pair_reader(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for quantities of the pair that a main clause names or, if it names none, of the only pair."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         groups = found.groupdict()
-        named = [subject for key in "st" if groups.get(key) for subject in each(heard, groups[key])]
+        named = [subject for key in "st" if groups.get(key) for subject in token_subjects(heard, groups[key])]
         if len(named) == 2 and named[0] == named[1]:
             return
         pair = " & ".join(named) if len(named) == 2 else ""
@@ -100,7 +102,7 @@ def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
     return read
 
 
-def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
+def implied_moment_reader(find: str, *whens: str, needs: str = FREE) -> Reader:
     """Return a reader for a quantity that implies its moment, as the time in the air implies the landing."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
@@ -119,13 +121,13 @@ MASS_CENTER = "velocity of the centre of mass"
 def mass_center(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the velocity of the centre of mass of all bodies, if the sentence names all together, or none."""
     who = sentence.subject(match["s"])
-    if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
-        yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
+    if not who or who == EVERYTHING or who.startswith(f"{ALL_WORD} "):
+        yield Main(MASS_CENTER, ways=((who, ALL_WORD),) if who.startswith(f"{ALL_WORD} ") else ())
 
 
 def amplitude(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the amplitude of an oscillation: in metres for a body on a line, as an angle for a swinging one."""
-    for of in each(sentence, match["s"]):
+    for of in token_subjects(sentence, match["s"]):
         yield Main(AMPLITUDE, of, needs=FREE)
         yield Main("greatest deflection", of, needs=FREE)
 
@@ -140,13 +142,15 @@ def own_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main
 def from_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
     other = "y" if match["axis"] == "x" else "x"
-    for of in each(sentence, match["s"]):
+    for of in token_subjects(sentence, match["s"]):
         yield Main(f"{other} coordinate", of, needs=CLAUSED)
 
 
 def on_line(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the coordinate of a body on the only line on which the body moves, if that line is an axis of the text."""
-    yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(sentence, match["s"]))
+    yield from (
+        Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in token_subjects(sentence, match["s"])
+    )
 
 
 SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
@@ -158,7 +162,7 @@ def beside_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[M
     other = "y" if axis == "x" else "x"
     if match["axis"] != axis:
         return
-    for of in each(sentence, match["s"]):
+    for of in token_subjects(sentence, match["s"]):
         beside = (of, f"{BESIDE}{sign}{other}")
         if match["most"]:
             turn = When(f"velocity of {of} along {other} = 0 m/s", ways=(beside, (of, f"{FARTHEST}{sign}{other}")))
@@ -173,15 +177,15 @@ def acceleration_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterat
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
 
 
-def relatively(name: str) -> Reader:
+def relative_quantity_reader(name: str) -> Reader:
     """Return a reader for a quantity of a body relative to the body that carries it."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         of, on = heard.subject(found["s"]), heard.subject(found["t"])
-        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        ways = ((of, f"{ON}{on}"), *read_directions(found, of))
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
-        if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
-            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
+        if on and on != of and not read_directions(found, of) and not _UPRIGHT.search(heard.text):
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{CARRIED_BY_PREFIX}{on}"),))
 
     return read
 
@@ -195,13 +199,13 @@ def far_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
 
 
-def down(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_downward_velocity(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the vertical velocity of a body that also moves sideways, presuming that it moves down."""
-    for of in each(sentence, match["s"]):
+    for of in token_subjects(sentence, match["s"]):
         yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
 
 
-def moving(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_motion_time(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves, until it comes to rest for good."""
     of = sentence.subject(match["s"])
     yield Main("time", needs=FREE, when=When(f"{of} halted"))
@@ -230,7 +234,7 @@ def far_end(turn: str = "") -> Reader:
         springs = [of for of in subjects if "spring" in of]
         bodies = [of for of in subjects if of not in springs]
         if len(bodies) == 1:
-            of = springs[0] if springs else FIXED_END
+            of = springs[0] if springs else LINE_WITH_FIXED_END
             main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
             alone = (*main.ways, ("", CENTRAL))
             when = When(" ".join((*springs, turn)))
@@ -239,29 +243,29 @@ def far_end(turn: str = "") -> Reader:
     return read
 
 
-HEAT = "energy dissipated by friction"
+FRICTION_HEAT = "energy dissipated by friction"
 _CLAUSE = re.compile(r" (?:when|until|till|before|by time|by moment|after|once|as soon as|while|in first|during) ")
 EXTREMES = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
 """By the name of a spring's greatest strain, the moment at which the spring has it, where a motion never recurs."""
 
 
-def heat(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_friction_heat(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
     del match
     if "@" not in _CLAUSE.split(sentence.text, maxsplit=1)[0]:
-        yield Main(HEAT, EVERYTHING, needs=STRETCH)
-    yield Main(HEAT, needs=STRETCH)
+        yield Main(FRICTION_HEAT, EVERYTHING, needs=STRETCH)
+    yield Main(FRICTION_HEAT, needs=STRETCH)
     yield Main("energy lost in a collision", needs=JUMP)
     yield Main("kinetic energy", needs=JUMP)
     for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
-        yield Main(HEAT, needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+        yield Main(FRICTION_HEAT, needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
 
 
 def heat_between(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy dissipated by friction between a body and its carrier, named in either order."""
     subjects = [sentence.subject(match[key]) for key in "st"]
     for of, on in (subjects, subjects[::-1]):
-        main = Main(HEAT, of, ways=((of, f"{ON}{on}"),))
+        main = Main(FRICTION_HEAT, of, ways=((of, f"{ON}{on}"),))
         yield replace(main, needs=STRETCH)
         yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER), rank=1)
 
@@ -273,7 +277,7 @@ def in_collision(*finds: str) -> Reader:
         groups = found.groupdict()
         both = " & ".join(heard.subject(groups[key]) for key in "st" if groups.get(key))
         for find in finds:
-            if " & " in both and not both.startswith(ALL):
+            if " & " in both and not both.startswith(ALL_WORD):
                 yield Main(find, needs=FREE, when=When(f"{both} collided", AFTER))
             yield Main(find, needs=STRETCH)
             yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
@@ -281,37 +285,37 @@ def in_collision(*finds: str) -> Reader:
     return read
 
 
-def most(name: str) -> Reader:
+def extreme_strain_reader(name: str) -> Reader:
     """Return a reader for a spring's greatest extension or compression, over the whole motion or up to that extreme."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-        for of in each(heard, found["s"]):
+        for of in token_subjects(heard, found["s"]):
             yield Main(name, of, needs=STRETCH)
             yield Main(name, of, needs=FREE, when=When(f"{of} {EXTREMES[name]}", AFTER), rank=1)
 
     return read
 
 
-def of_hand_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
+def read_hand_work(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of the hand, presuming that it pulls a named body."""
-    for of in each(sentence, match["s"]):
+    for of in token_subjects(sentence, match["s"]):
         yield Main("work of a hand", needs=STRETCH, ways=((of, DRAWN),))
 
 
 def work_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a string on the body that it pulls, or of a spring on the body at its free end."""
-    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(sentence, match["s"]))
+    yield from (Main("work of a tension", of, needs=STRETCH) for of in token_subjects(sentence, match["s"]))
     yield from spring_work(match["t"], match["s"], sentence)
 
 
 def count_between(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the number of all collisions, if the sentence names all bodies together and there is no wall."""
     who = sentence.subject(match["s"])
-    if who.startswith(f"{ALL} "):
-        yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(match, sentence))
+    if who.startswith(f"{ALL_WORD} "):
+        yield from (replace(main, of="", ways=((who, ALL_WORD), ("", MUTUAL))) for main in count(match, sentence))
 
 
 def count(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the number of all collisions, or of those up to a moment."""
-    yield from implied("number of collisions", "last collision")(match, sentence)
+    yield from implied_moment_reader("number of collisions", "last collision")(match, sentence)
     yield Main("number of collisions", needs=CLAUSED)

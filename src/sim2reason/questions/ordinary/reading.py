@@ -6,12 +6,22 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer
-from sim2reason.questions.ordinary.base_forms import PLACES, with_base_forms
-from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, differences, moments_of_change
-from sim2reason.questions.ordinary.clauses import whens
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.mains import mains
-from sim2reason.questions.ordinary.moment_phrases import AFTER, BEFORE, DURING, LATE, LONG, THEN, When, split, ways_of
+from sim2reason.questions.ordinary.base_forms import PLACE_PATTERN, with_base_forms
+from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, moments_of_change, read_differences
+from sim2reason.questions.ordinary.clauses import read_moments
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
+from sim2reason.questions.ordinary.mains import read_main_clause
+from sim2reason.questions.ordinary.moment_phrases import (
+    AFTER,
+    BEFORE,
+    DURING,
+    LATE_TIME_PATTERN,
+    LONG,
+    THEN,
+    When,
+    read_directions,
+    split,
+)
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
 from sim2reason.questions.posing import MINUS, PosedQuestion
@@ -61,17 +71,17 @@ _BEGUN = pattern("START")
 _SLIPPING = pattern("(?:[{s} ]~|its )(?:slipping|skidding|slips|skids)")
 DEFLECTION = "angle of deflection"  # in a collision: the angle after it
 INCLINATION = "angle with the horizontal"  # of a velocity
-TURNED = "revolutions made", "angle rolled", "angle turned"
+ROTATION_QUANTITIES = "revolutions made", "angle rolled", "angle turned"
 RISES = "ascent", "climb", "rise"
 _LANDED = re.compile(r"\b(?:landed|bounced)\b")
-_SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
+_SEVERAL = re.compile(rf"\b{ALL_WORD} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?= |$))*")
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
     """A structured question that a sentence may mean, the side of its moment, and its presumptions.
 
-    The presumptions are the ways that bodies have `gone` until the moment and are `moving` at the moment. A `steady`
+    The presumptions are the ways that bodies have `gone` until the moment and are `present_directions` at the moment. A `steady`
     reading names no moment: it asks for a value that does not change. A reading of a higher `rank` counts only where
     the scene has none of a lower rank. Where a number of the scene decides an outcome, the reading asks for the `least`
     or the greatest number for which the outcome `happens`, or does not.
@@ -80,20 +90,20 @@ class Reading:
     asked: StructuredQuestion
     side: str = THEN
     gone: tuple[tuple[str, str], ...] = ()
-    moving: tuple[tuple[str, str], ...] = ()
+    present_directions: tuple[tuple[str, str], ...] = ()
     steady: bool = False
     rank: int = 0
     least: bool | None = None
     happens: bool = True
 
 
-def readings(sentence: TokenizedSentence) -> tuple[Reading, ...]:
+def read_sentence(sentence: TokenizedSentence) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
     for variant in (sentence, _together(sentence)):
-        between = [_with(main, when) for main, when in differences(variant)]
-        candidates = between or [reading for parts in _parts(variant.text) for reading in _of_parts(*parts, variant)]
+        between = [_with(main, when) for main, when in read_differences(variant)]
+        candidates = between or [reading for parts in _parts(variant.text) for reading in _read_parts(*parts, variant)]
         if distinct := tuple(
-            dict.fromkeys(each for reading in candidates for each in _of_each(reading) if _tells(each))
+            dict.fromkeys(each for reading in candidates for each in _split_by_body(reading) if _tells(each))
         ):
             return distinct
     return ()
@@ -109,19 +119,19 @@ def _together(sentence: TokenizedSentence) -> TokenizedSentence:
     match = _BOTH.search(sentence.text)
     if match is None:
         return sentence
-    one, other = (sentence.subject(match[number]).removeprefix(f"{ALL} ") for number in (1, 2))
-    both = f"{ALL} {one} & {other}"
+    one, other = (sentence.subject(match[number]).removeprefix(f"{ALL_WORD} ") for number in (1, 2))
+    both = f"{ALL_WORD} {one} & {other}"
     token = f"@{len(sentence.subjects)}@"
     return replace(sentence, text=_BOTH.sub(token, sentence.text, count=1), subjects=(*sentence.subjects, both))
 
 
-def _of_each(reading: Reading) -> Iterator[Reading]:
+def _split_by_body(reading: Reading) -> Iterator[Reading]:
     """Yield one reading for each body of the reading's moment if the moment has several, unless they collide."""
     several = _SEVERAL.search(reading.asked.when)
     if several is None or "collided" in reading.asked.when:
         yield reading
         return
-    for who in several[0].removeprefix(f"{ALL} ").split(" & "):
+    for who in several[0].removeprefix(f"{ALL_WORD} ").split(" & "):
         when = reading.asked.when.replace(several[0], who)
         gone = tuple((who if subject == several[0] else subject, presumption) for subject, presumption in reading.gone)
         yield replace(reading, asked=replace(reading.asked, when=when), gone=gone)
@@ -150,7 +160,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     goes_on = re.fullmatch(_LASTS_LOOSELY, text)
     if (
         goes_on is not None
-        and not set(PLACES.sub(" ", with_base_forms(goes_on[2])).split()) - _GOING
+        and not set(PLACE_PATTERN.sub(" ", with_base_forms(goes_on[2])).split()) - _GOING
         and not _LATER_ONE.search(goes_on[4])
     ):
         yield "when", goes_on[4], THEN
@@ -160,16 +170,16 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
         yield "when", _INVERTED.sub(r"\g<who> \g<verb>", time["clause"]), THEN
 
 
-def _of_parts(question: str, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[Reading]:
+def _read_parts(question: str, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[Reading]:
     between = (*after_bounce(question, clause, side, sentence), *above_lowest(question, clause, side, sentence))
     yield from (_with(main, when) for main, when in between)
-    for main in mains(question, sentence):
+    for main in read_main_clause(question, sentence):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
         elif (
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
-            for when in whens(
+            for when in read_moments(
                 clause, sentence, main.of or sentence.subject("@0@" if sentence.subjects else None), side
             ):
                 if _not_meant(main, when, clause, side):
@@ -183,10 +193,10 @@ def _of_parts(question: str, clause: str, side: str, sentence: TokenizedSentence
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
             who = sentence.subject(going["s"]) or main.of
-            ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
-            yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
+            ways = ((who, going["on"]),) if going["on"] else read_directions(going, who)
+            yield Reading(_build_question(main, ""), DURING, present_directions=(*main.ways, *ways), steady=True)
             for direction in (direction for _, direction in ways if direction in ("up", "down")):  # on the way back
-                yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{direction}"),))
+                yield Reading(_build_question(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{direction}"),))
 
 
 def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
@@ -199,15 +209,15 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
         return side == THEN and _IMPACT.fullmatch(clause) is not None
     if main.find == DEFLECTION:
         return side in (THEN, DURING) and when.told.endswith(" before")
-    if main.find in TURNED and side == AFTER and _late(clause) and not _BEGUN.fullmatch(clause):
+    if main.find in ROTATION_QUANTITIES and side == AFTER and _late(clause) and not _BEGUN.fullmatch(clause):
         return True
-    return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
+    return LATE_TIME_PATTERN.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
 def _on_the_way(main: Main, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[Reading]:
     """Yield readings for the upward or downward part of a path, until the body turns back or slipping stops."""
     alone = sentence.subject("@0@") if len(sentence.subjects) == 1 else ""
-    adds_up = main.needs == STRETCH or main.find in TURNED
+    adds_up = main.needs == STRETCH or main.find in ROTATION_QUANTITIES
     if side not in (DURING, THEN) or not adds_up or not (main.of or alone):
         return
     slips = _SLIPPING.fullmatch(clause)
@@ -229,7 +239,7 @@ def _whole(main: Main) -> Iterator[Reading]:
         yield _with(replace(main, rank=main.rank + rank), moment)
 
 
-def _to_its_end(main: Main) -> Iterator[Reading]:
+def _read_until_end(main: Main) -> Iterator[Reading]:
     """Yield readings of an extreme or total of a non-periodic motion, up to the time after which nothing changes."""
     if not main.find.startswith(("greatest", "least", "energy")):
         return
@@ -251,15 +261,17 @@ def _alone(main: Main) -> Iterator[Reading]:
     elif main.needs == STRETCH and main.find in ("displacement", "distance travelled"):
         yield from _whole(main)
     elif main.find != "time" and main.needs not in (CLAUSED, LANDING, *CHANGES):
-        yield Reading(_asked(main, ""), moving=main.ways, steady=main.needs == MOMENT, rank=main.rank)
+        yield Reading(
+            _build_question(main, ""), present_directions=main.ways, steady=main.needs == MOMENT, rank=main.rank
+        )
         if main.needs == STRETCH:
-            yield from _to_its_end(main)
+            yield from _read_until_end(main)
 
 
 def _with(main: Main, when: When) -> Reading:
     side = AFTER if main.needs == STRETCH else when.side
     if MINUS in when.told:
-        return Reading(_asked(main, when.told), AFTER, (*main.ways, *when.ways), rank=main.rank + when.rank)
+        return Reading(_build_question(main, when.told), AFTER, (*main.ways, *when.ways), rank=main.rank + when.rank)
     moment = when.told.removesuffix(" before") if main.find == "time" else when.told
     if main.needs == STRETCH and main.find != "time":
         moment = moment.removesuffix(" before")
@@ -269,29 +281,29 @@ def _with(main: Main, when: When) -> Reading:
         moment = f"{moment} before"
     moves = main.needs == MOMENT or main.find == INCLINATION
     gone, moving = ((), main.ways) if moves else (main.ways, ())
-    return Reading(_asked(main, moment), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
+    return Reading(_build_question(main, moment), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 
-def _asked(main: Main, when: str) -> StructuredQuestion:
+def _build_question(main: Main, when: str) -> StructuredQuestion:
     return StructuredQuestion(main.find, main.of, when, main.along)
 
 
 @dataclass(frozen=True)
-class Understood:
+class UnderstoodQuestion:
     """A sentence understood: the structured question, the posed question, and the answer with its motion."""
 
     asked: StructuredQuestion
-    posed: PosedQuestion
-    followed: SimulatedAnswer
+    posed_question: PosedQuestion
+    simulated_answer: SimulatedAnswer
 
 
 class Reader(NamedTuple):
     """The functions that read questions about a scene as it is.
 
-    `read` returns the meaning of a heard sentence, `readings` all its readings, and `first_of` the meaning of the first
+    `read` returns the meaning of a heard sentence, `read_sentence` all its readings, and `first_of` the meaning of the first
     reading that the scene answers.
     """
 
-    read: Callable[[TokenizedSentence, FollowedMotion, Words], Understood | None]
+    read: Callable[[TokenizedSentence, FollowedMotion, Words], UnderstoodQuestion | None]
     readings: Callable[[TokenizedSentence, FollowedMotion, Words], list[Reading]]
-    first_of: Callable[[list[Reading], FollowedMotion, Words], Understood | None]
+    first_of: Callable[[list[Reading], FollowedMotion, Words], UnderstoodQuestion | None]

@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary.turns_of_amount import AMOUNT_TURNS
 from sim2reason.questions.ordinary.turns_of_bodies import BODY_TURNS, PLACE_TURNS
 from sim2reason.questions.ordinary.turns_of_motion import MOTION_TURNS
 from sim2reason.questions.ordinary.turns_of_order import ORDER_TURNS
-from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, TURNS
+from sim2reason.questions.ordinary.turns_of_phrase import LATER_TURNS, PHRASE_REWORDINGS
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
 _S = r"(?P<s>@\d+@)"
@@ -225,21 +225,21 @@ REWORDINGS: Mapping[str, str] = {
 """By what a part of a question is like, on text without articles: what says the same."""
 
 
-_ALL: Mapping[str, str] = {
+_ALL_REWORDINGS: Mapping[str, str] = {
     **BODY_TURNS,
     **ORDER_TURNS,
     **COURSE_TURNS,
     **AMOUNT_TURNS,
     **PLACE_TURNS,
     **MOTION_TURNS,
-    **TURNS,
+    **PHRASE_REWORDINGS,
     **REWORDINGS,
     **LATER_TURNS,
 }
 
 
-def reworded(text: str) -> str:
+def reword_question(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for template, plain in _ALL.items():
+    for template, plain in _ALL_REWORDINGS.items():
         text = pattern(template).sub(plain, text)
     return text.strip()

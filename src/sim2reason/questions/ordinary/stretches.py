@@ -6,24 +6,24 @@ from dataclasses import replace
 
 from sim2reason.questions.ordinary import readers
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
-from sim2reason.questions.ordinary.moment_phrases import AFTER, ONLY_LINE, When, ways_of
+from sim2reason.questions.ordinary.moment_phrases import AFTER, ONLY_LINE, When, read_directions
 from sim2reason.questions.ordinary.readers import (
     FREE,
     STRETCH,
     Main,
     Reader,
-    each,
-    implied,
-    of_none,
-    of_one,
-    of_pair,
+    implied_moment_reader,
+    only_subject_reader,
+    pair_reader,
+    subject_reader,
+    token_subjects,
 )
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     FALLS,
     QUANTITIES,
     RISING,
-    SMALL,
+    SMALL_OSCILLATIONS,
     matching_entry,
     pattern,
 )
@@ -44,7 +44,7 @@ def _extreme(size: str) -> Reader:
                 Main(f"{size} {force}", heard.subject(found.groupdict().get("s")), needs=STRETCH) for force in PULLS
             )
             return
-        for of in each(heard, found.groupdict().get("s")):
+        for of in token_subjects(heard, found.groupdict().get("s")):
             if name == "height" and size == "greatest":
                 yield from _gets(found, heard)
                 continue
@@ -66,7 +66,7 @@ def _pairs(size: str) -> Reader:
             yield from _extreme(size)(found, heard)
             return
         apsis = "farthest" if size == "greatest" else "closest"
-        for main in of_pair("distance", needs=FREE)(found, heard):
+        for main in pair_reader("distance", needs=FREE)(found, heard):
             yield replace(main, find=f"{size} distance", needs=STRETCH, rank=2 * main.rank)
             yield replace(main, when=When(f"{main.of} {apsis}".strip()), rank=2 * main.rank + 1)
 
@@ -81,7 +81,7 @@ def _rise(of: str) -> Iterator[Main]:
 
 def _highest(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the height of a body above the ground at the highest point or, failing that, where the body stops."""
-    for of in each(sentence, match.groupdict().get("s")):
+    for of in token_subjects(sentence, match.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
 
@@ -94,7 +94,7 @@ def _before_landing(match: re.Match[str], sentence: TokenizedSentence) -> Iterat
 
 def _range(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
-    for of in each(sentence, match.groupdict().get("s")):
+    for of in token_subjects(sentence, match.groupdict().get("s")):
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed".strip()))
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced".strip()), rank=1)
 
@@ -107,15 +107,15 @@ def _gets(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
 
 def _above_start(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above its start, presuming that the body rises."""
-    for of in each(sentence, match.groupdict().get("s")):
+    for of in token_subjects(sentence, match.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
 
 
 def _keeps_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves in one direction, until it turns back."""
-    for of in each(sentence, match["s"]):
-        if ways := ways_of(match, of):
+    for of in token_subjects(sentence, match["s"]):
+        if ways := read_directions(match, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
             carried = (*ways, (of, CARRIED_AT_REST))
             still = When(f"velocity of {of} along {ONLY_LINE} = 0 m/s", AFTER)
@@ -129,21 +129,21 @@ def _apsis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
 
 
-def _at_once(*finds: str) -> Reader:
+def _only_pair_reader(*finds: str) -> Reader:
     """Return a reader for quantities of the scene's only pair of bodies, over a stretch of the motion."""
-    return of_pair(*finds, needs=STRETCH)
+    return pair_reader(*finds, needs=STRETCH)
 
 
 def _fall(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time until a body lands, presuming that it never rises."""
-    for main in implied("time", "{s} landed", "{s} bounced")(match, sentence):
+    for main in implied_moment_reader("time", "{s} landed", "{s} bounced")(match, sentence):
         yield replace(main, ways=((sentence.subject(match["s"]), FALLS),))
 
 
 def _period(name: str) -> Reader:
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-        ways = (("", SMALL),) if re.search(r"\bsmall\b", found[0]) else ()
-        for of in each(heard, found.groupdict().get("s")):
+        ways = (("", SMALL_OSCILLATIONS),) if re.search(r"\bsmall\b", found[0]) else ()
+        for of in token_subjects(heard, found.groupdict().get("s")):
             yield Main(name, of, needs=FREE, ways=ways)
 
     return read
@@ -157,54 +157,56 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK {s} 's GREATEST {q=QUANTITY}": _pairs("greatest"),
     "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _pairs("least"),
     "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _pairs("greatest"),
-    "ASK {s} 's GREATEST distance from {t}": _at_once("greatest distance"),
-    "ASK {s} 's LEAST distance from {t}": _at_once("least distance"),
-    "ASK GREATEST distance of {s} from {t}": _at_once("greatest distance"),
-    "ASK LEAST distance of {s} from {t}": _at_once("least distance"),
+    "ASK {s} 's GREATEST distance from {t}": _only_pair_reader("greatest distance"),
+    "ASK {s} 's LEAST distance from {t}": _only_pair_reader("least distance"),
+    "ASK GREATEST distance of {s} from {t}": _only_pair_reader("greatest distance"),
+    "ASK LEAST distance of {s} from {t}": _only_pair_reader("least distance"),
     "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb)": _gets,
     "[to ](?:what|which) height ~{s} (?:rise|reach|get|climb) above its starting point": _above_start,
     "ASK LEAST {q=QUANTITY} between {s}[ and {t}]": _pairs("least"),
-    "how far from {t} ~{s} at its (?:farthest|furthest)": _at_once("greatest distance"),
-    "how close to {t} ~{s} at its (?:closest|nearest)": _at_once("least distance"),
-    "how far ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME[ at most]": of_one(
+    "how far from {t} ~{s} at its (?:farthest|furthest)": _only_pair_reader("greatest distance"),
+    "how close to {t} ~{s} at its (?:closest|nearest)": _only_pair_reader("least distance"),
+    "how far ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME[ at most]": subject_reader(
         "greatest displacement", needs=STRETCH
     ),
-    "how far at most ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME": of_one(
+    "how far at most ~{s} (?:get|gets|go|goes|move|travel|swing) from HOME": subject_reader(
         "greatest displacement", needs=STRETCH
     ),
-    "ASK {s} 's GREATEST (?:distance|displacement)[ from HOME]": of_one("greatest displacement", needs=STRETCH),
-    "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": of_one("greatest displacement", needs=STRETCH),
-    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": of_one(
+    "ASK {s} 's GREATEST (?:distance|displacement)[ from HOME]": subject_reader("greatest displacement", needs=STRETCH),
+    "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": subject_reader(
+        "greatest displacement", needs=STRETCH
+    ),
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": subject_reader(
         "greatest displacement", needs=STRETCH
     ),
     "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
     "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": readers.heat,
-    "how much work ~{s} ~DONE against friction": readers.heat,
-    "ASK work DONE[ by {s}] against friction": readers.heat,
-    "how much work ~DONE against friction": readers.heat,
+    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": readers.read_friction_heat,
+    "how much work ~{s} ~DONE against friction": readers.read_friction_heat,
+    "ASK work DONE[ by {s}] against friction": readers.read_friction_heat,
+    "how much work ~DONE against friction": readers.read_friction_heat,
     "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": (
-        readers.heat
+        readers.read_friction_heat
     ),
-    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": readers.heat,
-    "ASK HEAT LOST[ by friction| to friction| through friction]": readers.heat,
-    "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
-    "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": readers.of_hand_on,
-    "(?:ASK|what) work [that ]~(?:done by hand|of hand|hand ~DONE) (?:on|upon) {s}": readers.of_hand_on,
-    "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
-    "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": readers.read_friction_heat,
+    "ASK HEAT LOST[ by friction| to friction| through friction]": readers.read_friction_heat,
+    "how much work ~(?:hand|pull|pulling force) ~DONE": only_subject_reader("work of a hand", needs=STRETCH),
+    "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": readers.read_hand_work,
+    "(?:ASK|what) work [that ]~(?:done by hand|of hand|hand ~DONE) (?:on|upon) {s}": readers.read_hand_work,
+    "(?:ASK|what) work (?:done by hand|done by pull|of hand)": only_subject_reader("work of a hand", needs=STRETCH),
+    "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": subject_reader(
         "work of an electric field", needs=STRETCH
     ),
-    "(?:ASK|what) work done on {s} by (?:field|electric field|electric force)": of_one(
+    "(?:ASK|what) work done on {s} by (?:field|electric field|electric force)": subject_reader(
         "work of an electric field", needs=STRETCH
     ),
-    "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
+    "ASK work done by (?:field|electric field|electric force)[ on {s}]": subject_reader(
         "work of an electric field", needs=STRETCH
     ),
     "how much work ~{t} ~DONE on {s}": readers.work_on,
     "what impulse is exchanged": readers.in_collision("impulse of a collision"),
-    "how much energy is lost in all collisions": implied("energy lost in collisions", "last collision"),
+    "how much energy is lost in all collisions": implied_moment_reader("energy lost in collisions", "last collision"),
     # collisions
     "how much [kinetic ]energy ~(?:lost|dissipated)": readers.in_collision("energy lost in a collision"),
     "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": readers.in_collision(
@@ -216,28 +218,28 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": (
         readers.in_collision("impulse of a collision")
     ),
-    "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": of_one(
+    "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": subject_reader(
         "impulse of an impact", needs=STRETCH
     ),
     "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": readers.in_collision("impulse of a collision"),
-    "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
+    "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": subject_reader(
         "impulse of an impact", needs=STRETCH
     ),
     "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": readers.count,
     "how much heat arises between {s} and {t}": readers.heat_between,
     "how many collisions between {s}": readers.count_between,
-    "how much ~{s} compressed at most": readers.most("greatest compression"),
-    "how much ~{s} (?:stretched|extended) at most": readers.most("greatest extension"),
-    "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
-    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
+    "how much ~{s} compressed at most": readers.extreme_strain_reader("greatest compression"),
+    "how much ~{s} (?:stretched|extended) at most": readers.extreme_strain_reader("greatest extension"),
+    "how close ~{s} (?:come|get|comes|gets) to {t}": _only_pair_reader("least distance"),
+    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": subject_reader(
         "greatest deflection", needs=STRETCH
     ),
-    "(?:ASK|what) LEAST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
+    "(?:ASK|what) LEAST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": subject_reader(
         "least deflection", needs=STRETCH
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
-    "how many times ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
-    "how often ~{s} BOUNCES": of_one("number of bounces", needs=STRETCH),
+    "how many times ~{s} BOUNCES": subject_reader("number of bounces", needs=STRETCH),
+    "how often ~{s} BOUNCES": subject_reader("number of bounces", needs=STRETCH),
     # heights
     "how high ~{s} (?:rise|get|go|fly|climb|rises|gets) above SURFACE": _highest,
     "how high above SURFACE ~{s} (?:rise|get|go|fly|climb|rises|gets)": _highest,
@@ -247,7 +249,7 @@ STRETCHES: Mapping[str, Reader] = {
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~[of |reached by ]{s}[ ATTAINS] (?:before|until) (?:it|@\\d+@)"
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
-    "what area ~{s} and {t} sweep": _at_once("area swept"),
+    "what area ~{s} and {t} sweep": _only_pair_reader("area swept"),
     # times and periods
     "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
@@ -263,13 +265,17 @@ STRETCHES: Mapping[str, Reader] = {
     "how far from BASE HOME ~{s} LANDS": _range,
     "(?:with|at) what period ~{s} OSCILLATES": _period("period"),
     "(?:with|at) what frequency ~{s} OSCILLATES": _period("frequency"),
-    "[for ]how long ~(?:engine|{s}[ 's engine]) (?:burn|run|fire|work|operate)": implied("time", "burned out"),
-    "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied("time", "{s} landed", "{s} bounced"),
+    "[for ]how long ~(?:engine|{s}[ 's engine]) (?:burn|run|fire|work|operate)": implied_moment_reader(
+        "time", "burned out"
+    ),
+    "[for ]how long ~{s} ~[stay |remain ]in (?:air|flight)": implied_moment_reader("time", "{s} landed", "{s} bounced"),
     "how long ~{s} (?:take|need) to fall": _fall,
-    "how long ~fuel (?:last|lasts)": implied("time", "burned out"),
-    "how long ~{s} burn": implied("time", "burned out"),
-    "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied("time", "{s} stopped slipping", "{s} stopped"),
-    "ASK (?:time of flight|flight time)[ of {s}]": implied("time", "{s} landed", "{s} bounced"),
+    "how long ~fuel (?:last|lasts)": implied_moment_reader("time", "burned out"),
+    "how long ~{s} burn": implied_moment_reader("time", "burned out"),
+    "how long ~{s} (?:slide|slip|skid)[ on {t}| ALONG_IT]": implied_moment_reader(
+        "time", "{s} stopped slipping", "{s} stopped"
+    ),
+    "ASK (?:time of flight|flight time)[ of {s}]": implied_moment_reader("time", "{s} landed", "{s} bounced"),
     "ASK PERIOD of {s}[ 's ITS_MOTION]": _period("period"),
     "ASK PERIOD[ of [its ]ITS_MOTION[ of {s}]]": _period("period"),
     "ASK {s} 's PERIOD[ of (?:revolution|oscillation|rotation)]": _period("period"),

@@ -239,7 +239,7 @@ _METHOD = (
     "|mechanical|angular|otherwise|or|of|and|'s|the|considerations?|methods?|arguments?|initial|position|velocity"
     "|conditions?|given|data|values?|this|that|these|results?)"
 )
-LEADS = tuple(
+LEAD_IN_PATTERNS = tuple(
     re.compile(told)
     for told in (
         r"^(?:okay|ok|hence|thus|therefore|so|now|next|finally|first|also|again|then|and|likewise|please|well)"
@@ -285,7 +285,7 @@ def without_leads(text: str, numbers: tuple[str, ...], *, smooth: bool) -> str:
     """
     text = _SMOOTH.sub("", text) if smooth else text
     text = _SEEN_BY.sub(" relative to ", text)
-    for lead in LEADS:
+    for lead in LEAD_IN_PATTERNS:
         text = lead.sub("", text)
     if re.search(r"\bvertical component\b|\by[- ]component\b", text):
         text = _POSITIVE.sub("", text)

@@ -32,7 +32,7 @@ _LANDING = (
 )
 _WHERE = "(?:where|at which|in which|that is|which is|when)"
 
-TURNS: Mapping[str, str] = {
+PHRASE_REWORDINGS: Mapping[str, str] = {
     f"(?P<range>\\brange of (?:throw|@\\d+@|motion|shot)) ?,?(?: (?:that is|i.e.) ,?)?(?: measured)? (?:horizontally"
     f" )?from"
     f" (?:{_FOOT}|{_THROWN_FROM}) to {_LANDING}$": r"\g<range>",

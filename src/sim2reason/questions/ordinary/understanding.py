@@ -16,16 +16,16 @@ from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.questions.ordinary.hearing import TokenizedSentence, tokenize
 from sim2reason.questions.ordinary.moment_phrases import DURING, addressed, in_numbers, seen_from
-from sim2reason.questions.ordinary.placing import placed
-from sim2reason.questions.ordinary.presumed import bounces_before, presumed, steady, two_sided
-from sim2reason.questions.ordinary.reading import Reader, Reading, Understood, readings
-from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.placing import resolve_readings
+from sim2reason.questions.ordinary.presumed import bounces_before, check_presumptions, two_sided, unsteadiness_reason
+from sim2reason.questions.ordinary.reading import Reader, Reading, UnderstoodQuestion, read_sentence
+from sim2reason.questions.ordinary.rewording import reword_question
 from sim2reason.questions.ordinary.vocabulary import SLOWER
 from sim2reason.questions.ordinary.wanted import numbers_wanted
-from sim2reason.questions.ordinary.whatif.blows import of_blow, of_small_oscillations
+from sim2reason.questions.ordinary.whatif.blows import read_blow_impulse, read_small_oscillations
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
-from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
+from sim2reason.questions.ordinary.whatif.understanding import understand_changed_scene
 from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.query import Query, targets
 from sim2reason.questions.structured import StructuredQuestion
@@ -45,7 +45,7 @@ _RESTATED = re.compile(
 ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
-def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
+def understand_sentence(sentence: str, motion: FollowedMotion, words: Words) -> UnderstoodQuestion | None:
     """Return the question that a sentence asks, and its answer; None if the sentence is not understood.
 
     The question may be about the scene as it is, about a changed scene, or about a number that makes something so.
@@ -57,20 +57,22 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     match = _RESTATED.fullmatch(tokenized.text)
     if match is None:
         return _meant(tokenized, motion, words)
-    one, other = (_meant(replace(tokenized, text=reworded(match[key])), motion, words) for key in ("one", "other"))
+    one, other = (
+        _meant(replace(tokenized, text=reword_question(match[key])), motion, words) for key in ("one", "other")
+    )
     if one is None or other is None:
         return None
     _agree([one, other], words)
     return other
 
 
-def _meant(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def _meant(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> UnderstoodQuestion | None:
     """Return the question that a tokenized sentence asks, and its answer; None if it is not understood."""
     meaning = (
-        of_small_oscillations(tokenized, motion, words, READER)
-        or of_blow(tokenized, motion, words, READER)
+        read_small_oscillations(tokenized, motion, words, READER)
+        or read_blow_impulse(tokenized, motion, words, READER)
         or understood_as_it_is(tokenized, motion, words)
-        or in_changed_scene(tokenized, motion, words, READER)
+        or understand_changed_scene(tokenized, motion, words, READER)
         or number_making_so(tokenized, motion, words, READER)
         or after_removal_of_things(tokenized, motion, words, READER)
     )
@@ -83,7 +85,9 @@ def _meant(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -
     return meaning
 
 
-def understood_as_it_is(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def understood_as_it_is(
+    tokenized: TokenizedSentence, motion: FollowedMotion, words: Words
+) -> UnderstoodQuestion | None:
     """Return the question of a tokenized sentence about the unchanged scene, and its answer; None without one.
 
     Raises:
@@ -95,7 +99,10 @@ def understood_as_it_is(tokenized: TokenizedSentence, motion: FollowedMotion, wo
 def questions_of(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> list[Reading]:
     """Return all readings of a tokenized sentence whose subjects and moments exist in the scene."""
     events = simulate_until_event(motion).study.trace.events if words.mechanism.meetings else ()
-    candidates = [*placed(readings(tokenized), words, events), *numbers_wanted(tokenized, motion.study.scene, words)]
+    candidates = [
+        *resolve_readings(read_sentence(tokenized), words, events),
+        *numbers_wanted(tokenized, motion.study.scene, words),
+    ]
     return (
         [each for each in candidates if _from_origin(each)]
         if _ORIGIN.search(tokenized.text) and starts_off(words)
@@ -114,7 +121,7 @@ def _from_origin(reading: Reading) -> bool:
     return any(word in f"{reading.asked.find} {reading.asked.when}" for word in ("origin", "coordinate"))
 
 
-def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> Understood | None:
+def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> UnderstoodQuestion | None:
     """Return the most likely reading of a sentence that the scene answers; None if there is none.
 
     Raises:
@@ -122,11 +129,11 @@ def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
     """
     for rank in sorted({reading.rank for reading in questions}):
         fitting, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
-        answered = [each for each in fitting if each.followed.answer is not None]
+        answered = [each for each in fitting if each.simulated_answer.answer is not None]
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(not isinstance(each.posed.query.moment, WholeMotion | Halted) for each in fitting):
+        if answered or any(not isinstance(each.posed_question.query.moment, WholeMotion | Halted) for each in fitting):
             return next(iter([*answered, *fitting]))
     return None
 
@@ -134,21 +141,21 @@ def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
 READER = Reader(understood_as_it_is, questions_of, first_of)
 
 
-def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
+def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[UnderstoodQuestion], str]:
     """Return the readings that fit a motion, and why the first unfit one does not; an empty reason if all fit."""
-    fitting: list[Understood] = []
+    fitting: list[UnderstoodQuestion] = []
     refused = ""
     for reading in questions:
         question = _posed(reading.asked, motion, words)
         if question is None:
             continue
-        followed = question.followed(motion)
+        followed = question.simulate_answer(motion)
         if reading.asked.find in SPEEDS and followed.answer is not None:  # along an axis, it is no velocity
             followed = followed._replace(answer=abs(followed.answer))
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason
         if not reason:
-            fitting.append(Understood(reading.asked, question, followed))
+            fitting.append(UnderstoodQuestion(reading.asked, question, followed))
     return fitting, refused
 
 
@@ -170,16 +177,16 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: SimulatedAnswer,
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
-        vanishes = any(presumption == SLOWER for _, presumption in reading.moving)
+        vanishes = any(presumption == SLOWER for _, presumption in reading.present_directions)
         during, vector = reading.side == DURING, reading.asked.find == VECTOR and not reading.asked.along
-        reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
+        reason = unsteadiness_reason(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
         if reason:
             return reason
     elif query.target is not None and query.moment is not None and two_sided(query, study, reading.side):
         return "it changes at once at that moment; ask just before it, or just after it"
     if isinstance(query.moment, Stopped) and bounces_before(query.moment, study.trace):
         return "it bounces before that, and then stops for an instant only"
-    return next((reason for reason in presumed(reading, followed, query, words) if reason), "")
+    return next((reason for reason in check_presumptions(reading, followed, query, words) if reason), "")
 
 
 def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
@@ -191,12 +198,12 @@ def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
     return "it comes about on the other side of that number" if below == reading.least else ""
 
 
-def _agree(meanings: list[Understood], words: Words) -> None:
+def _agree(meanings: list[UnderstoodQuestion], words: Words) -> None:
     """Raise TextError, which lists all readings of a sentence, if the readings have different answers."""
-    answers = [each.followed.answer for each in meanings]
+    answers = [each.simulated_answer.answer for each in meanings]
     if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=ANSWER_RTOL, abs_tol=1e-12) for answer in answers):
         return
-    wordings = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in meanings)
+    wordings = dict.fromkeys(each.posed_question.sentence(words) or each.asked.text for each in meanings)
     raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(wordings)}")
 
 
@@ -220,7 +227,7 @@ def _singular_words(text: str) -> set[str]:
     return {word.removesuffix("s") for word in re.findall(r"[a-z-]+", text.lower())}
 
 
-BEYOND: Mapping[str, str] = {
+UNSUPPORTED_TOPICS: Mapping[str, str] = {
     r"semi-?minor": "of the shape of an orbit only the semi-major axis and the eccentricity are quantities here",
     r"radius of (?:the |its )?(?:circle|circular|orbit|path|curvature|motion|trajectory)|amplitude": "the size of a "
     "path is a quantity here only in a magnetic field: ask for the greatest displacement, or for a distance",
@@ -255,16 +262,16 @@ BEYOND: Mapping[str, str] = {
 def reason(sentence: str) -> str:
     """Return a clause that explains why the library cannot answer a sentence; empty if the reason is unknown."""
     plain = " ".join(sentence.lower().split())
-    return next((explanation for like, explanation in BEYOND.items() if re.search(like, plain)), "")
+    return next((explanation for like, explanation in UNSUPPORTED_TOPICS.items() if re.search(like, plain)), "")
 
 
 MAX_SUGGESTIONS = 3
-COMMON = frozenset(
+COMMON_WORDS = frozenset(
     re.split(" ", "the a an of is what how find when at in it to and does do for by with that determine")
 )
 
 
-def suggestion(sentence: str, motion: FollowedMotion, words: Words) -> str:
+def suggest_rewording(sentence: str, motion: FollowedMotion, words: Words) -> str:
     """Return a hint for a sentence that is not understood: the reason, if known, and similar questions."""
     why = missing_object(sentence, motion.study.scene) or reason(sentence)
     sentence_words = _content_words(sentence)
@@ -279,7 +286,7 @@ def suggestion(sentence: str, motion: FollowedMotion, words: Words) -> str:
 
 
 def _content_words(sentence: str) -> set[str]:
-    return set(re.findall(r"[a-z]+", sentence.lower())) - COMMON
+    return set(re.findall(r"[a-z]+", sentence.lower())) - COMMON_WORDS
 
 
 def _offered(motion: FollowedMotion, words: Words) -> Iterator[PosedQuestion]:

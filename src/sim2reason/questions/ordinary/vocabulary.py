@@ -29,7 +29,7 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
     )
 )
 """Nouns that may stand for one another where only one thing in a scene can be meant."""
-ANYTHING = frozenset({"body", "object"})
+GENERIC_NOUNS = frozenset({"body", "object"})
 
 QUANTITIES: Mapping[str, str] = {
     "rotational kinetic energy": "rotational kinetic energy|kinetic energy of rotation|rotational energy|energy of"
@@ -101,9 +101,9 @@ SLOWER, STRETCHED, COMPRESSED, ORIGIN, ON = "slower", "stretched", "compressed",
 FIXED_FACE = "the fixed surface"  # on which a body lies
 ONCE, ONLY, OVER, RELAXED = "once", "only", "over", "relaxed"
 CARRIED_AT_REST = "carried by what is at rest"
-ALOFT = "aloft"  # the body is above the ground
-SMALL = "small"  # the oscillations are small, so that the period does not depend on the amplitude
-SOLE = "sole "  # before a type of force: this is the only force on the body
+ABOVE_GROUND = "aloft"  # the body is above the ground
+SMALL_OSCILLATIONS = "small"  # the oscillations are small, so that the period does not depend on the amplitude
+ONLY_FORCE_PREFIX = "sole "  # before a type of force: this is the only force on the body
 RISING, ROLLING, RESTS, LASTS, STRAIGHT, ONE_WAY = "rising", "rolling", "rests", "lasts", "straight", "one way"
 SETS_OFF, UNMOVED, ACROSS, GAINED = "sets off", "unmoved", "across", "gained"
 LEVEL, SMOOTH, FIELDS_ALONE, ONE_LINE, FALLS = "level", "smooth", "fields alone", "one line", "only falls"
@@ -111,14 +111,14 @@ HEADING = "heads "  # before an axis with a sign: the body moves along the axis 
 DIES_AWAY, FREE_AXLE, MUTUAL = "dies away", "free axle", "mutual"
 LOWEST, STANDS, CENTRAL, LIES = "lowest at first", "stands", "central", "lies on a face"
 THEN_GOES = "then goes "  # before a direction: the body moves in it after the moment
-BALANCED = "balanced"  # passes through the equilibrium
-PLACED = "placed"  # the question is for a position, whatever the motion
-BORNE = "borne by "  # by what carries it, or by the pulley over which its string runs
+PASSES_EQUILIBRIUM = "balanced"  # passes through the equilibrium
+ASKS_FOR_POSITION = "placed"  # the question is for a position, whatever the motion
+CARRIED_BY_PREFIX = "borne by "  # by what carries it, or by the pulley over which its string runs
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed
 LIGHT, SIDEWAYS, LIFTS, GOES_UP, GOES_DOWN = "light", "sideways", "lifts", "goes up then", "goes down then"
-FIXED_END = "the fixed end"  # the only line of which one end is fixed
+LINE_WITH_FIXED_END = "the fixed end"  # the only line of which one end is fixed
 BESIDE, FARTHEST = "beside ", "farthest beside "  # before a sign and an axis of coordinates
-UNDER = "under "  # before the name of the body that carries the subject along a level line
+BELOW_CARRIER_PREFIX = "under "  # before the name of the body that carries the subject along a level line
 DRAWN, SPRUNG = "drawn by a hand", "sprung"  # the only spring joins the only two bodies
 ROUND = "round "  # goes round a named body
 """What is taken for granted beside ways, by a name: see `presumed`."""
@@ -236,7 +236,7 @@ GROUNDS = (
 )
 """A pattern for the surface on which bodies move, with the adjectives that a text has for it."""
 
-WAYS: Mapping[str, str] = {
+DIRECTION_WORDS: Mapping[str, str] = {
     "up": "up|uphill|upwards|upward|up SURFACE|vertically upwards",
     "down": "down|downhill|downwards|downward|down SURFACE|vertically downwards",
     "right": "to right",
@@ -251,7 +251,7 @@ WAYS: Mapping[str, str] = {
 """By a way, or an axis, how people tell it."""
 
 
-def either(phrases: Iterable[str]) -> str:
+def any_of_pattern(phrases: Iterable[str]) -> str:
     """Return a regular expression group that matches any of the phrases, longest first, with table names expanded."""
     longest = sorted(dict.fromkeys(phrases), key=len, reverse=True)
     return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda match: _macro(match[0]), phrase) for phrase in longest)})"
@@ -259,20 +259,20 @@ def either(phrases: Iterable[str]) -> str:
 
 def matching_entry(tables: Mapping[str, str], phrase: str, parted: str = "|") -> str:
     """Return the name of the table entry that a phrase matches; empty if no entry matches."""
-    return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), phrase)), "")
+    return next((name for name, row in tables.items() if re.fullmatch(any_of_pattern(row.split(parted)), phrase)), "")
 
 
 @cache
 def _macro(name: str) -> str:
     if name == "MOTION":
-        return either(" ".join(MOTIONS.values()).split())
+        return any_of_pattern(" ".join(MOTIONS.values()).split())
     if name == "QUANTITY":
-        return either("|".join(QUANTITIES.values()).split("|"))
+        return any_of_pattern("|".join(QUANTITIES.values()).split("|"))
     if name == "HORIZONTAL":
         return "horizontal"
     if name == "WAY":
-        return either("|".join(WAYS.values()).split("|"))
-    return either(WORDS[name].split()) if name in WORDS else either(PHRASES[name].split("|"))
+        return any_of_pattern("|".join(DIRECTION_WORDS.values()).split("|"))
+    return any_of_pattern(WORDS[name].split()) if name in WORDS else any_of_pattern(PHRASES[name].split("|"))
 
 
 @cache

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from itertools import product
 
 from sim2reason.questions.moments.occurrence import can_roll
-from sim2reason.questions.ordinary.clauses import whens
+from sim2reason.questions.ordinary.clauses import read_moments
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.moment_phrases import CONNECTORS, When, addresses
-from sim2reason.questions.ordinary.paraphrases import DecidingNumber, limits
-from sim2reason.questions.ordinary.readers import each
+from sim2reason.questions.ordinary.paraphrases import DecidingNumber, read_deciding_numbers
+from sim2reason.questions.ordinary.readers import token_subjects
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, matching_entry, pattern
 from sim2reason.questions.query import OWN_PATH
@@ -38,7 +38,7 @@ NUMBERS: Mapping[str, str] = {
 }
 """By the last part of its address, how people call a number of a scene."""
 
-OUTCOMES: Mapping[str, tuple[str, ...]] = {
+OUTCOMES_BY_CLAUSE: Mapping[str, tuple[str, ...]] = {
     "gets over TOP|goes over TOP|get over TOP|makes full turn|goes right round|makes full circle|completes full circle"
     "|reach TOP|makes it over TOP|completes circle|passes TOP": ("goes round", "yes"),
     "slips|slides|starts to slip|begins to slip|starts to slide|begins to slide|starts to move|begins to move"
@@ -112,10 +112,10 @@ class WantedNumber:
     least: bool | None = None
 
 
-def wanted(sentence: TokenizedSentence) -> Iterator[WantedNumber]:
+def read_wanted_numbers(sentence: TokenizedSentence) -> Iterator[WantedNumber]:
     """Yield every number of the scene that a sentence may ask for."""
     for template in _FRAMES:
-        match = _compiled(template).fullmatch(sentence.text)
+        match = _compile_templates(template).fullmatch(sentence.text)
         if match is not None:
             groups = match.groupdict()
             name = matching_entry(NUMBERS, groups["p"]) if groups.get("p") else "length"
@@ -124,12 +124,12 @@ def wanted(sentence: TokenizedSentence) -> Iterator[WantedNumber]:
             yield from _results(name, owner, rest, sentence, sentence.subject(groups.get("s")))
     known = False
     for template in _LIMITS:
-        match = _compiled(template).fullmatch(sentence.text)
+        match = _compile_templates(template).fullmatch(sentence.text)
         if match is not None:
             known = True
             yield from _limits(match, sentence)
     if not known:
-        for limit in limits(sentence, NUMBERS):
+        for limit in read_deciding_numbers(sentence, NUMBERS):
             yield from _outcomes(limit)
 
 
@@ -143,9 +143,13 @@ def _outcomes(limit: DecidingNumber) -> Iterator[WantedNumber]:
         yield WantedNumber(limit.name, limit.owner, limit.of, does=outcome, happens=happens, least=limit.least)
 
 
-def _compiled(template: str) -> re.Pattern[str]:
+def _compile_templates(template: str) -> re.Pattern[str]:
     template = template.replace("PARAMETER", _PARAMETER).replace("NEEDED", _NEEDED)
-    for name, rows in (("NUMBERS", NUMBERS.values()), ("OUTCOMES", OUTCOMES), ("SIZES", ("GREATEST", "LEAST"))):
+    for name, rows in (
+        ("NUMBERS", NUMBERS.values()),
+        ("OUTCOMES", OUTCOMES_BY_CLAUSE),
+        ("SIZES", ("GREATEST", "LEAST")),
+    ):
         template = re.sub(
             rf"\{{(\w+)={name}\}}", lambda match, rows=rows: f"(?P<{match[1]}>(?:{'|'.join(rows)}))", template
         )
@@ -156,7 +160,7 @@ def _compiled(template: str) -> re.Pattern[str]:
 def _results(name: str, owner: str, rest: str, sentence: TokenizedSentence, subject: str) -> Iterator[WantedNumber]:
     """Yield a wanted number for each way to read the result that a clause states."""
     for template in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
-        match = _compiled(template).fullmatch(rest)
+        match = _compile_templates(template).fullmatch(rest)
         if match is None:
             continue
         groups = match.groupdict()
@@ -170,7 +174,7 @@ def _results(name: str, owner: str, rest: str, sentence: TokenizedSentence, subj
         elif template in _GOES:
             quantity = "time" if number.endswith(" s") else "displacement"
         clause, side = groups.get("clause") or "", CONNECTORS.get(groups.get("connector") or "", "then")
-        ends = whens(clause, sentence, of, side) if clause else [When("")]
+        ends = read_moments(clause, sentence, of, side) if clause else [When("")]
         yield from (
             WantedNumber(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
         )
@@ -179,21 +183,21 @@ def _results(name: str, owner: str, rest: str, sentence: TokenizedSentence, subj
 def _limits(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[WantedNumber]:
     groups = match.groupdict()
     name = matching_entry(NUMBERS, groups["p"])
-    does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
+    does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES_BY_CLAUSE[_row(groups["clause"])]
     owner = sentence.subject(groups.get("own") or groups.get("of"))
     is_minimum = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
-    for who, outcome in product(each(sentence, groups["s"]), (does, ROLLING.get(does, ""))):
+    for who, outcome in product(token_subjects(sentence, groups["s"]), (does, ROLLING.get(does, ""))):
         if outcome:
             yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=is_minimum)
 
 
 def _row(clause: str) -> str:
-    return next(row for row in OUTCOMES if pattern(f"(?:{row})").fullmatch(clause))
+    return next(row for row in OUTCOMES_BY_CLAUSE if pattern(f"(?:{row})").fullmatch(clause))
 
 
 def numbers_wanted(sentence: TokenizedSentence, scene: Scene, words: Words) -> Iterator[Reading]:
     """Yield the readings of a sentence that asks for a number of the scene, with the number's address."""
-    for number in wanted(sentence):
+    for number in read_wanted_numbers(sentence):
         path = _path(number, scene, words)
         if not path:
             continue
@@ -210,13 +214,13 @@ def numbers_wanted(sentence: TokenizedSentence, scene: Scene, words: Words) -> I
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
     """Yield readings that ask for the number with which a named body, else each body, has no acceleration."""
-    if rubs(words):
+    if lies_on_rough_face(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(of)
-    yield from without_acceleration(path, words.called(Bodies()) if alone is None else (alone,), words)
+    yield from without_acceleration(path, words.subject_phrases(Bodies()) if alone is None else (alone,), words)
 
 
-def rubs(words: Words) -> bool:
+def lies_on_rough_face(words: Words) -> bool:
     """Return whether a body that does not roll lies on a rough face."""
     contacts = words.mechanism.contacts
     return any(contact.friction > 0.0 and not can_roll(words, name) for name, contact in contacts.items())

@@ -10,7 +10,7 @@ class WantedRow(NamedTuple):
     """Patterns that must all occur, in any order, and the plain main clause with the same meaning."""
 
     parts: Sequence[str]
-    plain: str
+    plain_clause: str
     subjects: int = 1
 
 

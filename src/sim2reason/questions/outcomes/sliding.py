@@ -35,7 +35,7 @@ class Slides(Onset):
         if not is_steady_release(words):
             return {}
         contacts = words.mechanism.contacts
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {n: phrase for n, phrase in called if contacts[n].friction > 0.0 and not can_roll(words, n)}
 
     def happens(self, trace: Trace) -> bool:
@@ -77,7 +77,7 @@ class SlipsRolling(PossibleOutcome):
         mechanism = words.mechanism
         return {
             name: phrase
-            for name, phrase in words.called(cls.of).items()
+            for name, phrase in words.subject_phrases(cls.of).items()
             if can_roll(words, name)
             and mechanism.contacts[name].friction > 0.0
             and isfinite(mechanism.contacts[name].friction)
@@ -114,7 +114,7 @@ def _slip_at_start(mechanism: Mechanism, name: str) -> float:
     return sum(factor * speeds[coordinate] for coordinate, factor in mechanism.contacts[name].slip)
 
 
-STANDS = 1e-9  # m: largest height above the plane of an edge in contact with it
+CONTACT_HEIGHT_TOL = 1e-9  # m: largest height above the plane of an edge in contact with it
 
 
 @OUTCOMES.register("tips_over")
@@ -130,7 +130,7 @@ class TipsOver(Swinging):
         """Return the bodies that stand on edges and are set moving, by name."""
         mechanism = words.mechanism
         standing = {mechanism.site[foot.site].body for foot in mechanism.feet if not words.released}
-        return {name: phrase for name, phrase in words.called(cls.of).items() if name in standing}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if name in standing}
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the first edge to land is one that did not stand on the plane at the start."""
@@ -141,7 +141,7 @@ class TipsOver(Swinging):
         foot = next(foot for foot in trace.mechanism.feet if foot.name == landed)
         began = trace.at(0.0)
         position = began.vector(began.frames.site(foot.site).place)[0]
-        return float(np.dot(foot.normal, position)) - foot.height > STANDS
+        return float(np.dot(foot.normal, position)) - foot.height > CONTACT_HEIGHT_TOL
 
     def excess(self, trace: Trace) -> float:
         """Return the square of the least angular speed until the first edge lands, rad²/s²."""

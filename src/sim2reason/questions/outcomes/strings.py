@@ -9,7 +9,14 @@ from sim2reason.questions.outcomes import OUTCOMES, SPEED_NOISE, Onset, Swinging
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Inextensible
 from sim2reason.simulation.quantities.kinematics import Acceleration, AngleTurned, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import UP, Bodies, TurningBodies, center_path, rides, turning_axes
+from sim2reason.simulation.quantities.subjects.bodies import (
+    UP,
+    Bodies,
+    TurningBodies,
+    center_path,
+    moves_on_slider,
+    turning_axes,
+)
 from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.simulation.trace import Trace
 
@@ -28,7 +35,7 @@ class GoesSlack(Swinging):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the swinging strings, with their phrases."""
         lines = words.mechanism.line
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         return {n: phrase for n, phrase in called if n in lines and isinstance(lines[n].law, Inextensible)}
 
     def happens(self, trace: Trace) -> bool | None:
@@ -67,7 +74,7 @@ class LiftsOff(Onset):
         """Return the bodies that burn fuel, if gravity is uniform; else none."""
         mechanism = words.mechanism
         burning = {burn.body for burn in mechanism.burns} if any(mechanism.gravity) else set[str]()
-        return {name: phrase for name, phrase in words.called(cls.of).items() if name in burning}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if name in burning}
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body is accelerated upwards at the start."""
@@ -99,9 +106,13 @@ class Rises(Onset):
         mechanism = words.mechanism
         if not is_steady_release(words) or not (mechanism.lines or mechanism.forces):
             return {}
-        called = words.called(cls.of).items()
+        called = words.subject_phrases(cls.of).items()
         paths = {name: center_path(mechanism, name) for name, _ in called}
-        return {n: phrase for n, phrase in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
+        return {
+            n: phrase
+            for n, phrase in called
+            if paths[n].straight and paths[n].rises and not moves_on_slider(mechanism, n)
+        }
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body moves upwards."""
@@ -212,7 +223,7 @@ class GoesRound(Swinging):
         if not any(words.mechanism.gravity) or words.mechanism.feet or words.released:
             return {}
         turning = AngleTurned().subjects(words.mechanism)
-        return {name: phrase for name, phrase in words.called(cls.of).items() if name in turning}
+        return {name: phrase for name, phrase in words.subject_phrases(cls.of).items() if name in turning}
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the body goes round before it turns back; None if that takes longer."""

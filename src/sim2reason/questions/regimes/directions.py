@@ -22,10 +22,10 @@ from sim2reason.simulation.quantities.subjects.bodies import OPPOSITE, RIGHT, Bo
 from sim2reason.simulation.quantities.subjects.interactions import Strings
 from sim2reason.simulation.quantities.subjects.rotating_parts import (
     SwingingLines,
-    carries_on_both_sides,
+    has_bodies_on_both_sides,
     is_light_rod,
     load_center,
-    welded_to,
+    welded_bodies,
 )
 
 RIGHT_ANGLE = 90.0  # degrees
@@ -45,7 +45,7 @@ class StartsAcute(Regime):
         """Return one regime per string, spring or rod; none for an arm, whose described masses show the direction."""
         bodies = study.mechanism.body
         extended = {name for name, body in bodies.items() if not body.mass or any(body.inertia)}
-        return [cls(name) for name in words.called(cls.of) if name not in extended]
+        return [cls(name) for name in words.subject_phrases(cls.of) if name not in extended]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the initial angle is acute in a motion."""
@@ -54,10 +54,12 @@ class StartsAcute(Regime):
 
     def clause(self, words: Words) -> str:
         """Return the clause, such as *the rod makes an acute angle with the downward vertical at the start*."""
-        return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at the start"
+        return (
+            f"{words.subject_phrases(self.of)[self.name]} makes an acute angle with the downward vertical at the start"
+        )
 
 
-APART = 1e-6  # degrees: smaller differences are rounding
+ANGLE_ROUNDING = 1e-6  # degrees: smaller differences are rounding
 
 
 @REGIMES.register("beyond_start")
@@ -74,23 +76,28 @@ class DeflectedBeyondStart(Regime):
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return a regime of a larger and one of a smaller angle for each line if the question has a symbol for one."""
         del study
-        return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
+        return [
+            cls(name, larger)
+            for name in words.subject_phrases(cls.of)
+            for larger in (True, False)
+            if "deg" in words.own
+        ]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the angle at a time, s, has changed as assumed since the start; False for a slack string."""
         state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
-        return more > APART if self.larger else more < -APART
+        return more > ANGLE_ROUNDING if self.larger else more < -ANGLE_ROUNDING
 
     def clause(self, words: Words) -> str:
         """Return a clause such as *the string then makes a larger angle with the vertical than at the start*."""
         size = "larger" if self.larger else "smaller"
-        line = words.called(self.of)[self.name]
+        line = words.subject_phrases(self.of)[self.name]
         return f"{line} then makes a {size} angle with the downward vertical than at the start"
 
 
 REST_SPEED_RTOL = 1e-9  # of the greatest speed: lower speeds are rest
-LASTING = 1e-9  # of the time asked about: a reversing body is at rest for less
+MIN_REST_FRACTION = 1e-9  # of the time asked about: a reversing body is at rest for less
 
 
 @REGIMES.register("direction")
@@ -106,7 +113,7 @@ class MovesOneWay(Regime):
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return two regimes, one per direction of motion, for each body on a line for which the text has words."""
-        senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
+        senses = [(name, sense) for name in words.subject_phrases(cls.of) for sense in _senses(study, name)]
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -134,7 +141,7 @@ class MovesOneWay(Regime):
         A body that may collide *moves only* in that direction.
         """
         kept = "moves only" if words.mechanism.meetings else "keeps moving" if words.turns_back else "moves"
-        return f"{words.called(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"
+        return f"{words.subject_phrases(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"
 
     @property
     def motion(self) -> str:
@@ -173,7 +180,7 @@ def _side(study: SimulatedScene, name: str, direction: Vector, until: float) -> 
         begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(direction))[0])
         return int(begins > REST_SPEED_RTOL) - int(begins < -REST_SPEED_RTOL)
     idle = np.abs(speeds) <= REST_SPEED_RTOL * fastest
-    rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)
+    rests = idle[1:] & idle[:-1] & (np.diff(times) > MIN_REST_FRACTION * until)
     if rests[int(np.argmin(idle)) :].any():
         return 0
     ahead, back = bool((speeds[~idle] > 0.0).any()), bool((speeds[~idle] < 0.0).any())
@@ -202,7 +209,7 @@ class MovesFirst(Regime):
 
     def clause(self, words: Words) -> str:
         """Return the clause, such as *block A first moves down the slope*."""
-        return f"{words.called(self.of)[self.name]} first {self.way.motion}"
+        return f"{words.subject_phrases(self.of)[self.name]} first {self.way.motion}"
 
 
 SHIFTED, SAME = 1.01, 1e-9  # factor on a number, to test dependence on it; relative difference that is rounding
@@ -222,9 +229,9 @@ class SideOfCenterOfMass(Regime):
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return two regimes, one per side of the centre of mass, for each arm with bodies on both sides of an axle."""
-        mechanism, named = study.mechanism, words.called(cls.of)
+        mechanism, named = study.mechanism, words.subject_phrases(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
-        firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]
+        firsts = [welded_bodies(mechanism, rod)[0].name for rod in rods if has_bodies_on_both_sides(mechanism, rod)]
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -252,7 +259,7 @@ class SideOfCenterOfMass(Regime):
     def clause(self, words: Words) -> str:
         """Return a clause such as *the centre of mass of the bodies on the arm is on the same side as disc A*."""
         where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
-        return f"the centre of mass of the bodies on the arm is {where} {words.called(self.of)[self.name]}"
+        return f"the centre of mass of the bodies on the arm is {where} {words.subject_phrases(self.of)[self.name]}"
 
 
 ZERO_TENSION = 1e-9  # N
@@ -275,7 +282,7 @@ class StaysTaut(Regime):
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return one regime for each string that the text can name."""
         del study
-        return [cls(name) for name in words.called(cls.of)]
+        return [cls(name) for name in words.subject_phrases(cls.of)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the string pulls throughout; True if its tension is undetermined."""
@@ -309,7 +316,7 @@ class StaysTaut(Regime):
 
     def clause(self, words: Words) -> str:
         """Return the clause, such as *the string stays taut*."""
-        return f"{words.called(self.of)[self.name]} stays taut"
+        return f"{words.subject_phrases(self.of)[self.name]} stays taut"
 
 
 @REGIMES.register("all_taut")

@@ -58,7 +58,7 @@ class CollideInTurn(Regime):
             return "there is no collision before then"
         if len(phrases) == 1:
             lone = (
-                words.called(Pairs()).get(PAIR_SEPARATOR.join(self.order[0]))
+                words.subject_phrases(Pairs()).get(PAIR_SEPARATOR.join(self.order[0]))
                 if len(_meetings(words.mechanism)) == 1
                 else None
             )
@@ -76,7 +76,7 @@ def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
 def _said(names: Sequence[str], words: Words) -> str:
     """Return the phrase for the partners of a collision; empty if the text has no unique one."""
     if len(names) > 1:
-        pair_phrase = words.called(Pairs()).get(PAIR_SEPARATOR.join(names), "")
+        pair_phrase = words.subject_phrases(Pairs()).get(PAIR_SEPARATOR.join(names), "")
         return pair_phrase and f"between {pair_phrase}"
     (name,) = names
     what = obstacle_phrase(words, name)
@@ -84,12 +84,12 @@ def _said(names: Sequence[str], words: Words) -> str:
 
 
 REST_SPEED = 1e-9  # m/s
-LEVEL = 1e-9  # of the steepness of a direction: smaller values are level
-LASTING = 1e-9  # of the time asked about: shorter intervals are rounding
-Course = tuple[int, ...]
+LEVEL_RTOL = 1e-9  # of the steepness of a direction: smaller values are level
+MIN_INTERVAL_FRACTION = 1e-9  # of the time asked about: shorter intervals are rounding
+SlipSigns = tuple[int, ...]
 """1 and -1: a stretch of the one way and of the other, as the slip counts."""
-COURSES: tuple[Course, ...] = ((1,), (-1,), (1, -1), (-1, 1))
-SOON = 1e-3  # of the time asked about, or s: time in which a released body begins to slide
+COURSES: tuple[SlipSigns, ...] = ((1,), (-1,), (1, -1), (-1, 1))
+SLIDE_ONSET_FRACTION = 1e-3  # of the time asked about, or s: time in which a released body begins to slide
 
 
 @REGIMES.register("sliding")
@@ -104,24 +104,26 @@ class SlidesThroughout(Regime):
     unseen = True
 
     slides: bool
-    course: Course = ()  # its ways one after the other, where words tell them
+    course: SlipSigns = ()  # its ways one after the other, where words tell them
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return, for each body on a rough face, a regime of sticking and one of sliding per sequence of directions."""
         mechanism = study.mechanism
-        rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
+        rough = [name for name in words.subject_phrases(cls.of) if mechanism.contacts[name].friction > 0.0]
         slides = [
             cls(name, slides=True, course=course)
             for name in rough
-            for course in (COURSES if _ways(mechanism, name) else [()])
+            for course in (COURSES if _slip_direction_words(mechanism, name) else [()])
         ]
         return [*slides, *(cls(name, slides=False) for name in rough)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body slides, or sticks, throughout."""
         observed = _slides(study, self.name, until)
-        return observed[0] is self.slides and (observed[1] == self.course or not _ways(study.mechanism, self.name))
+        return observed[0] is self.slides and (
+            observed[1] == self.course or not _slip_direction_words(study.mechanism, self.name)
+        )
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the slip velocity at a time, s, or soon after the start, relative to free fall; None for sticking."""
@@ -139,11 +141,11 @@ class SlidesThroughout(Regime):
         first slides up the slope, turns back once and is sliding down it by then*. A rolling body only reverses its
         slip.
         """
-        surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
+        surface, called = words.fills(self.of, self.name)["surface"], words.subject_phrases(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
         if not self.slides:
             return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
-        ways = [_ways(words.mechanism, self.name)[sign] for sign in self.course]
+        ways = [_slip_direction_words(words.mechanism, self.name)[sign] for sign in self.course]
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
         slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
         if len(ways) > 1:
@@ -152,7 +154,7 @@ class SlidesThroughout(Regime):
         return f"{called} {slides if words.released else f'keeps {sliding}'} {where}"
 
 
-def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
+def _slip_direction_words(mechanism: Mechanism, name: str) -> dict[int, str]:
     """Return the words for the directions of a body's slip by sign; empty if the text has none."""
     slides = [
         (slide, factor)
@@ -163,7 +165,7 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
         return {}
     slide, factor = slides[0]
     steepness = factor * slide.axis[2]
-    if abs(steepness) > LEVEL:
+    if abs(steepness) > LEVEL_RTOL:
         return {1: "up", -1: "down"} if steepness > 0.0 else {1: "down", -1: "up"}
     if slide.label != RIGHT:
         return {}
@@ -171,7 +173,7 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
 
 
-def _slides(study: SimulatedScene, name: str, until: float) -> tuple[bool | None, Course]:
+def _slides(study: SimulatedScene, name: str, until: float) -> tuple[bool | None, SlipSigns]:
     """Return whether the body slides throughout, None if only for a time; and its sequence of directions."""
     soon = _soon(study, until)
     scan = study.trace.scan
@@ -184,16 +186,18 @@ def _slides(study: SimulatedScene, name: str, until: float) -> tuple[bool | None
     if still.all():
         return False, ()
     course = tuple(sense for sense, _ in groupby(np.sign(slips[~still]).astype(int).tolist()))
-    stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
+    stays = (
+        still[1:] & still[:-1] & (np.diff(times) > MIN_INTERVAL_FRACTION * until)
+    )  # what turns back is still for no time
     return (None if still[0] or stays.any() else True), course
 
 
 def _soon(study: SimulatedScene, until: float) -> float:
     """Return the time, s, by which a released body has begun to slide."""
-    return min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
+    return min(SLIDE_ONSET_FRACTION * (until or 1.0), float(study.trace.state.times[-1]))
 
 
-THEN = 1e-9  # relative: a moment closer to burn-out coincides with it
+BURNOUT_RTOL = 1e-9  # relative: a moment closer to burn-out coincides with it
 
 
 @REGIMES.register("burnt out")
@@ -213,7 +217,7 @@ class BurntOut(Regime):
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return two regimes for each body that burns fuel: all of the fuel is used up before the moment, or not."""
-        named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
+        named = [burn.body for burn in study.mechanism.burns if burn.body in words.subject_phrases(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
         return [regime for name in named for regime in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
@@ -221,7 +225,7 @@ class BurntOut(Regime):
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether a time, s, is on the assumed side of burn-out, before or after; True at burn-out itself."""
         end = self._end(study)
-        return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
+        return until > end * (1.0 + BURNOUT_RTOL) if self.out else 0.0 < until < end * (1.0 - BURNOUT_RTOL)
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the interval between the time and burn-out, relative to the burn time; None without a burn."""
@@ -242,7 +246,7 @@ class BurntOut(Regime):
 
     def short_clause(self, words: Words) -> str:
         """Return the part about fuel only, such as *the rocket has burned all its fuel by that moment*."""
-        called = words.called(self.of)[self.name]
+        called = words.subject_phrases(self.of)[self.name]
         return (
             f"{called} has burned all its fuel by that moment"
             if self.out
@@ -255,7 +259,7 @@ class BurntOut(Regime):
         return self.short_clause(words) if rises else self.clause(words)
 
 
-STILL = 1e-9  # m/s², m/s
+ZERO_MOTION_TOL = 1e-9  # m/s², m/s
 
 
 @REGIMES.register("waits")
@@ -274,7 +278,7 @@ class DelayedLiftoff(Regime):
         """Return two regimes for each rocket that stands on the ground: lift-off after some burning, or at once."""
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
-        named = words.called(cls.of)
+        named = words.subject_phrases(cls.of)
         rockets = [burn.body for burn in study.mechanism.burns if burn.body in named]
         return [cls(body, waits) for body in rockets for waits in (True, False)]
 
@@ -285,8 +289,8 @@ class DelayedLiftoff(Regime):
         burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
         pushed = Acceleration.evaluate(trace.at(0.0), self.name)
         moves = Velocity.evaluate(trace.at(burnt), self.name)
-        lifted = float(np.linalg.norm(pushed)) > STILL
-        return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
+        lifted = float(np.linalg.norm(pushed)) > ZERO_MOTION_TOL
+        return (not lifted and float(np.linalg.norm(moves)) > ZERO_MOTION_TOL) if self.waits else lifted
 
     def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True, as formulas do not show whether the thrust exceeds the weight."""
@@ -303,7 +307,7 @@ class DelayedLiftoff(Regime):
 
     def clause(self, words: Words) -> str:
         """Return the clause, such as *the rocket lifts off as soon as its engine starts*."""
-        called = words.called(self.of)[self.name]
+        called = words.subject_phrases(self.of)[self.name]
         if not self.waits:
             return f"{called} lifts off as soon as its engine starts"
         return f"{called} lifts off only after its engine has burned part of its fuel"

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.text.prose.closings import RESTS, TAUT, is_assumption, is_single_body
+from sim2reason.text.prose.closings import REST_SENTENCES, TAUT, is_assumption, is_single_body
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import paragraphs
 
@@ -28,16 +28,16 @@ def is_table(unit: str) -> bool:
     return unit.lstrip().startswith("|")
 
 
-def text_of(parts: Sequence[str]) -> str:
+def join_units(parts: Sequence[str]) -> str:
     """Return sentences and tables joined into one text."""
     return paragraphs(parts)
 
 
-def splits(parts: Sequence[str]) -> Iterator[tuple[list[str], str]]:
+def iter_splits(parts: Sequence[str]) -> Iterator[tuple[list[str], str]]:
     """Yield splits of a prompt into the story and the question at its end, of one sentence or more."""
     for count in range(1, min(QUESTION, len(parts) - 1) + 1):
         if not any(map(is_table, parts[-count:])):
-            yield list(parts[:-count]), text_of(parts[-count:])
+            yield list(parts[:-count]), join_units(parts[-count:])
 
 
 def begins_plainly(question: str) -> bool:
@@ -45,12 +45,12 @@ def begins_plainly(question: str) -> bool:
     return ASKS.match(question) is not None
 
 
-def lowered(sentence: str) -> str:
+def lower_initial(sentence: str) -> str:
     """Return a sentence without its initial capital, for use after a clause; letters that name bodies stay."""
     return sentence if re.match(r"[A-Z]\b(?! [a-z])", sentence) else sentence[0].lower() + sentence[1:]
 
 
-def raised(sentence: str) -> str:
+def raise_initial(sentence: str) -> str:
     """Return a sentence with an initial capital."""
     return sentence[:1].upper() + sentence[1:]
 
@@ -89,15 +89,15 @@ class AssumptionsInBracket(PromptShape):
         del rng
         closings = assumptions(description)
         facts = description.sentences[: len(description.sentences) - len(closings)]
-        return text_of([*facts, question, f"({text_of(closings)})"]) if closings and facts else None
+        return join_units([*facts, question, f"({join_units(closings)})"]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the bracketed assumptions moved from the end to before the question."""
         before, opens, inside = text.removesuffix(".)").rpartition(" (")
         if not (opens and text.endswith(".)")):
             return
-        for story, question in splits(units(before)):
-            yield Draft(text_of([*story, f"{inside}."]), question)
+        for story, question in iter_splits(units(before)):
+            yield Draft(join_units([*story, f"{inside}."]), question)
 
 
 @shape
@@ -110,25 +110,25 @@ class AssumptionsLast(PromptShape):
         """Return the prompt for a text that ends with general assumptions; None for others."""
         del rng
         facts, closings = without_assumptions(description.sentences)
-        return text_of([*facts, question, *closings]) if closings and facts else None
+        return join_units([*facts, question, *closings]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the closing assumptions moved from the end to before the question."""
         remaining, closings = without_assumptions(units(text))
-        for story, question in splits(remaining) if closings else ():
-            yield Draft(text_of([*story, *closings]), question)
+        for story, question in iter_splits(remaining) if closings else ():
+            yield Draft(join_units([*story, *closings]), question)
 
 
-FRONTS = (
+GRAVITY_SENTENCES = (
     "Take g = {g} here.",
     "In this problem g = {g}.",
     "The acceleration of free fall is taken as g = {g}.",
     "Let the acceleration of free fall be g = {g}.",
     "Take the acceleration of free fall as g = {g}.",
 )
-USUAL = "Take g = {g}."
+USUAL_GRAVITY_SENTENCE = "Take g = {g}."
 _TOLD = re.compile(r"\bg = (\S.{0,20})\.$")
-_FRONT = re.compile("|".join(re.escape(front).replace(r"\{g\}", r"(\S.{0,20}?)") for front in FRONTS))
+_FRONT = re.compile("|".join(re.escape(front).replace(r"\{g\}", r"(\S.{0,20}?)") for front in GRAVITY_SENTENCES))
 
 
 @shape
@@ -139,19 +139,19 @@ class GravityFirst(PromptShape):
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text that ends with the value of g; None for others."""
-        front, *facts = one_of(FRONTS, rng), *description.sentences[:-1]
+        front, *facts = one_of(GRAVITY_SENTENCES, rng), *description.sentences[:-1]
         match = _TOLD.search(description.sentences[-1])
         if match is None or description.role(description.sentences[-1]) != "assumption":
             return None
-        return text_of([front.replace("{g}", match[1]), *facts, question])
+        return join_units([front.replace("{g}", match[1]), *facts, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the value of g moved from the front to the end of the scene's text."""
         first, *rest = units(text)
         match = _FRONT.fullmatch(first)
         number = next(filter(None, match.groups()), "") if match else ""
-        for story, question in splits(rest) if number else ():
-            yield Draft(text_of([*story, USUAL.replace("{g}", number)]), question)
+        for story, question in iter_splits(rest) if number else ():
+            yield Draft(join_units([*story, USUAL_GRAVITY_SENTENCE.replace("{g}", number)]), question)
 
 
 LABELS = (
@@ -182,7 +182,7 @@ class Labelled(PromptShape):
                 yield Draft(story.removeprefix(scene), question)
 
 
-BETWEEN = "\n\n"
+PARAGRAPH_BREAK = "\n\n"
 
 
 @shape
@@ -195,11 +195,11 @@ class QuestionApart(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the text with the question as its own paragraph; None after a table, which ends with an empty line."""
         del rng
-        return None if is_table(description.sentences[-1]) else f"{description.text}{BETWEEN}{question}"
+        return None if is_table(description.sentences[-1]) else f"{description.text}{PARAGRAPH_BREAK}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield the draft whose question is the last paragraph of the text."""
-        story, between, question = text.rpartition(BETWEEN)
+        story, between, question = text.rpartition(PARAGRAPH_BREAK)
         if between:
             yield Draft(story, question)
 
@@ -214,12 +214,12 @@ class SceneFirst(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt, which suits every text."""
         del rng
-        return text_of([*description.sentences, question])
+        return join_units([*description.sentences, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield one draft with the last sentence as its question, and one with the last two sentences."""
-        for story, question in splits(units(text)):
-            yield Draft(text_of(story), question)
+        for story, question in iter_splits(units(text)):
+            yield Draft(join_units(story), question)
 
 
 CLAUSES = (
@@ -227,9 +227,11 @@ CLAUSES = (
     "Assuming that the motion starts from rest{taut}, ",
     "Given that the motion starts from rest{taut}, ",
 )
-ALL = "If everything is released from rest{taut}, "
+RELEASE_ALL_CLAUSE = "If everything is released from rest{taut}, "
 _TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))
-_CLAUSE = re.compile("|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in (ALL, *CLAUSES)))
+_CLAUSE = re.compile(
+    "|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in (RELEASE_ALL_CLAUSE, *CLAUSES))
+)
 _ENDING = re.compile(f"({_TAUT}), $")
 
 
@@ -242,24 +244,24 @@ class ReleaseInQuestion(PromptShape):
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text whose closing says that everything starts from rest; None for others."""
-        rests = [sentence for sentence in description.sentences if sentence in RESTS]
-        clause = one_of(CLAUSES if is_single_body(description.scene) else (ALL, *CLAUSES), rng)
+        rests = [sentence for sentence in description.sentences if sentence in REST_SENTENCES]
+        clause = one_of(CLAUSES if is_single_body(description.scene) else (RELEASE_ALL_CLAUSE, *CLAUSES), rng)
         again = f" {clause.partition(' ')[0].lower()} " in question  # one condition would hang on another
         if len(rests) != 1 or again or not begins_plainly(question):
             return None
         rest = [sentence for sentence in description.sentences if sentence != rests[0]]
-        return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
+        return join_units([*rest, clause.replace("{taut}", REST_SENTENCES[rests[0]]) + lower_initial(question)])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts with the question's clause on the start as a sentence before the scene's closing assumptions."""
-        for story, question in splits(units(text)):
+        for story, question in iter_splits(units(text)):
             clause = _CLAUSE.match(question)
             if clause is None:
                 continue
             taut = ending[1] if (ending := _ENDING.search(clause.group())) else ""
             facts, closings = without_assumptions(story)
             parts = [*facts, f"The motion starts from rest{taut}.", *closings]
-            yield Draft(text_of(parts), raised(question[clause.end() :]))
+            yield Draft(join_units(parts), raise_initial(question[clause.end() :]))
 
 
 FRONT = "Suppose that "
@@ -276,13 +278,13 @@ class SupposedStart(PromptShape):
         """Return the prompt for a text whose last sentence before the assumptions states the start; None for others."""
         del rng
         facts, closings = without_assumptions(description.sentences)
-        if not facts or description.role(facts[-1]) != "start" or facts[-1] in RESTS:
+        if not facts or description.role(facts[-1]) != "start" or facts[-1] in REST_SENTENCES:
             return None
-        return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
+        return join_units([*facts[:-1], *closings, FRONT + lower_initial(facts[-1]), question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts with the sentence *Suppose that …* as a plain one before the scene's closing assumptions."""
-        for story, question in splits(units(text)):
+        for story, question in iter_splits(units(text)):
             if story and story[-1].startswith(FRONT):
                 facts, closings = without_assumptions(story[:-1])
-                yield Draft(text_of([*facts, raised(story[-1].removeprefix(FRONT)), *closings]), question)
+                yield Draft(join_units([*facts, raise_initial(story[-1].removeprefix(FRONT)), *closings]), question)

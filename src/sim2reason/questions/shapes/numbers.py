@@ -6,19 +6,19 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.questions.shapes.layout import QUESTION, is_table, one_of, splits, text_of, units
+from sim2reason.questions.shapes.layout import QUESTION, is_table, iter_splits, join_units, one_of, units
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.text.prose.description import Description, with_names, without_names
 from sim2reason.text.prose.phrases import join
 from sim2reason.text.prose.voices import Voice, symbolic
 
-LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
+LIST_LEAD_INS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12  # range of the number of listed values
 COMPONENTS = 6  # greatest number of vector components, as more belong in a table
 _FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
 _COMPONENT = re.compile(r"[xyz](?:_.+)?|.+_(?:[xyz]|\{[xyz],.+\})")
 _NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
-_LIST = re.compile(rf"(?:{'|'.join(LEADS)})((?:{_NUMBER}(?:, | and |\.$))+)")
+_LIST = re.compile(rf"(?:{'|'.join(LIST_LEAD_INS)})((?:{_NUMBER}(?:, | and |\.$))+)")
 _ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
 
 
@@ -31,7 +31,7 @@ class NumbersListed(PromptShape):
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text without a table and with a suitable number of values; None for others."""
-        lead, after = one_of(LEADS, rng), rng.random() < 0.5
+        lead, after = one_of(LIST_LEAD_INS, rng), rng.random() < 0.5
         marked = description.voiced(_symbols_for(description.voice))
         numbers = _numbers(description, marked)
         if numbers is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(numbers) <= MOST:
@@ -43,7 +43,7 @@ class NumbersListed(PromptShape):
         if _FORMULA.search(story):
             return None
         if not after and named.sentences[-1].startswith(lead):
-            lead = LEADS[0]  # no two sentences in a row begin alike: let g = 9.8 m/s²
+            lead = LIST_LEAD_INS[0]  # no two sentences in a row begin alike: let g = 9.8 m/s²
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in numbers.items()])}."
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
@@ -52,8 +52,8 @@ class NumbersListed(PromptShape):
         parts = units(text)
         for index in range(len(parts) - 1, len(parts) - 2 - QUESTION, -1):
             given = _listed(parts[index]) if index > 0 else {}
-            for story, question in splits([*parts[:index], *parts[index + 1 :]]) if given else ():
-                yield Draft(without_names(text_of(story)), question, given)
+            for story, question in iter_splits([*parts[:index], *parts[index + 1 :]]) if given else ():
+                yield Draft(without_names(join_units(story)), question, given)
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
@@ -104,12 +104,12 @@ class TableLast(PromptShape):
         del rng
         tables = [unit for unit in description.sentences if is_table(unit)]
         sentences = [unit for unit in description.sentences if not is_table(unit)]
-        return text_of([*sentences, question, *tables]) if len(tables) == 1 else None
+        return join_units([*sentences, question, *tables]) if len(tables) == 1 else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts with the final table moved into the scene's text, one draft for each possible position."""
         *parts, last = units(text)
         if is_table(last):
-            for story, question in splits(parts):
+            for story, question in iter_splits(parts):
                 for index in range(1, len(story) + 1):
-                    yield Draft(text_of([*story[:index], last, *story[index:]]), question)
+                    yield Draft(join_units([*story[:index], last, *story[index:]]), question)

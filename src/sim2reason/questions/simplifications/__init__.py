@@ -77,7 +77,7 @@ S = TypeVar("S", bound=Misconception)
 MISCONCEPTIONS: Registry[Misconception] = Registry("questions.simplifications")
 
 
-def in_order() -> list[Misconception]:
+def ordered_misconceptions() -> list[Misconception]:
     """Return all misconceptions, the common ones first."""
     return sorted(MISCONCEPTIONS.values(), key=lambda each: not each.common)
 

@@ -16,8 +16,8 @@ from sim2reason.questions.study import SimulatedScene, Timed
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Attraction, MassEjection, Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.scenes.dsl.structure import changing, weighs, with_bodies
-from sim2reason.scenes.dsl.vectors import Vector, minus, scale
+from sim2reason.scenes.dsl.structure import changing, is_gravity_relevant, replace_bodies
+from sim2reason.scenes.dsl.vectors import Vector, scale, subtract_triples
 from sim2reason.simulation.trace import Trace, events_before
 
 
@@ -181,7 +181,9 @@ def _continued(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
     return v * t + 0.5 * a * t * t, v + a * t
 
 
-SLOWER = 1e-6  # factor on the burn rate; its inverse multiplies the exhaust speed, so that the thrust stays equal
+BURN_RATE_FACTOR = (
+    1e-6  # factor on the burn rate; its inverse multiplies the exhaust speed, so that the thrust stays equal
+)
 
 
 class BurnMisconception(ChangedMechanism):
@@ -204,7 +206,7 @@ class BurnMisconception(ChangedMechanism):
 
 def without_loss(burn: MassEjection) -> MassEjection:
     """Return a burn of the same thrust and duration that ejects almost no mass."""
-    return replace(burn, rate=SLOWER * burn.rate, exhaust=burn.exhaust / SLOWER)
+    return replace(burn, rate=BURN_RATE_FACTOR * burn.rate, exhaust=burn.exhaust / BURN_RATE_FACTOR)
 
 
 @misconception
@@ -217,7 +219,7 @@ class CommonLogarithm(BurnMisconception):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies that burn fuel if their thrust is the only force; else none."""
         mechanism = study.mechanism
-        return [] if weighs(mechanism) or mechanism.attractions else super().subjects(query, study)
+        return [] if is_gravity_relevant(mechanism) or mechanism.attractions else super().subjects(query, study)
 
     def burnt(self, mechanism: Mechanism, burn: MassEjection) -> MassEjection:
         """Return a burn whose exhaust is slower by ln 10, which has the same effect on the velocity."""
@@ -261,7 +263,7 @@ class FuelLeftOut(BurnMisconception):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism in which one rocket has the same thrust but carries no fuel."""
         spent = {burn.body: burn.rate * burn.until for burn in mechanism.burns}
-        lighter = with_bodies(mechanism, [subject], lambda body: replace(body, mass=body.mass - spent[subject]))
+        lighter = replace_bodies(mechanism, [subject], lambda body: replace(body, mass=body.mass - spent[subject]))
         return super().changed(lighter, subject)
 
     def burnt(self, mechanism: Mechanism, burn: MassEjection) -> MassEjection:
@@ -294,7 +296,7 @@ def _free_fall(mechanism: Mechanism, pull: Attraction) -> Vector:
     falling = mechanism.burns[0].body
     other = pull.b if falling == pull.a else pull.a
     frames = initial_frames(mechanism)
-    x, y, z = (float(part) for part in minus(frames.center(other).place, frames.center(falling).place))
+    x, y, z = (float(part) for part in subtract_triples(frames.center(other).place, frames.center(falling).place))
     distance = (x * x + y * y + z * z) ** 0.5
     return scale(pull.constant * mechanism.body[other].mass / distance ** (pull.power + 1.0), (x, y, z))
 
@@ -310,7 +312,7 @@ class WeightAlongThrust(ChangedMechanism):
         """Return the bodies that burn fuel if there is gravity; else none."""
         del query
         mechanism = study.mechanism
-        return [burn.body for burn in mechanism.burns] if weighs(mechanism) else []
+        return [burn.body for burn in mechanism.burns] if is_gravity_relevant(mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with gravity reversed."""

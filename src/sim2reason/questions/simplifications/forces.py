@@ -6,18 +6,23 @@ from math import inf, isfinite
 
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, misconception
-from sim2reason.questions.simplifications.inertia import carriers, massive, others, rough
+from sim2reason.questions.simplifications.inertia import (
+    influential_bodies,
+    massive_bodies,
+    movable_carriers,
+    rough_faces,
+)
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.structure import (
     RESIDUAL_MASS_RATIO,
-    bending,
     fix_body,
+    is_gravity_relevant,
     remove_body,
-    weighs,
-    with_bodies,
-    with_lines,
+    replace_bodies,
+    replace_lines,
+    rotating_line,
 )
 from sim2reason.scenes.dsl.vectors import scale
 
@@ -35,7 +40,7 @@ class BodyHeld(ChangedMechanism):
         """Return the bodies that can move, except wheels."""
         del query
         movable = {coordinate.body for coordinate in study.mechanism.coordinates}
-        return [name for name in massive(study.mechanism) if name in movable]
+        return [name for name in massive_bodies(study.mechanism) if name in movable]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the body fixed to its carrier."""
@@ -59,10 +64,10 @@ class BodyLeftOut(ChangedMechanism):
         sprung = {mechanism.site[site].body for line in elastic for site in line.through}
         sprung |= {body for line in elastic for body in line.circle or ()}
         frames = initial_frames(mechanism)
-        turning = [line for line in mechanism.lines if bending(line, frames)]
+        turning = [line for line in mechanism.lines if rotating_line(line, frames)]
         end_bodies = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
         pivots = {body.parent for body in mechanism.bodies if any(c.kind == "hinge" for c in body.coordinates)}
-        return [name for name in others(mechanism) if name not in sprung | end_bodies | pivots]
+        return [name for name in influential_bodies(mechanism) if name not in sprung | end_bodies | pivots]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without the body's mass, inertia and collisions."""
@@ -81,7 +86,7 @@ class FixedCarrier(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the carriers that can move."""
         del query
-        return carriers(study.mechanism)
+        return movable_carriers(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the carrier fixed."""
@@ -123,7 +128,7 @@ class FromRest(ChangedMechanism):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with all initial velocities zero."""
         del subject
-        return with_bodies(mechanism, mechanism.body, _still)
+        return replace_bodies(mechanism, mechanism.body, _still)
 
 
 def _still(body: RigidBody) -> RigidBody:
@@ -140,7 +145,7 @@ class GravityLeftOut(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if gravity acts on a body; else none."""
         del query
-        return [""] if weighs(study.mechanism) else []
+        return [""] if is_gravity_relevant(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with negligible gravity, which still defines a vertical direction."""
@@ -163,7 +168,7 @@ class HandLeftOut(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with zero pull on the string."""
-        return with_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))
+        return replace_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))
 
 
 @misconception
@@ -181,7 +186,7 @@ class NoDamping(ChangedMechanism):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with undamped springs."""
         del subject
-        return with_lines(mechanism, _damped(mechanism), _undamped)
+        return replace_lines(mechanism, _damped(mechanism), _undamped)
 
 
 def _damped(mechanism: Mechanism) -> list[str]:
@@ -208,7 +213,7 @@ class SpringLeftOut(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with a spring that exerts no force."""
-        return with_lines(mechanism, [subject], lambda line: replace(line, law=Elastic(0.0, 0.0)))
+        return replace_lines(mechanism, [subject], lambda line: replace(line, law=Elastic(0.0, 0.0)))
 
 
 @misconception
@@ -222,7 +227,7 @@ class FaceFriction(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies on rough faces; none for a single one, which `NoFriction` covers."""
         del query
-        bodies = [face.subject for face in rough(study.mechanism)]
+        bodies = [face.subject for face in rough_faces(study.mechanism)]
         return bodies if len(bodies) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
@@ -271,7 +276,7 @@ class NoSlip(ChangedMechanism):
         return replace(mechanism, faces=tuple(faces))
 
 
-LEVEL = 1.0 - 1e-9  # cosine: steeper faces are slopes
+LEVEL_COSINE = 1.0 - 1e-9  # cosine: steeper faces are slopes
 
 
 @misconception
@@ -287,7 +292,7 @@ class WeightAsNormalForce(ChangedMechanism):
         """Return the whole mechanism as the subject if a slope is rough; else none."""
         del query
         mechanism = study.mechanism
-        return [""] if weighs(mechanism) and _sloped(mechanism) else []
+        return [""] if is_gravity_relevant(mechanism) and _sloped(mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with coefficients of friction divided by the cosines of the slopes."""
@@ -302,9 +307,9 @@ class WeightAsNormalForce(ChangedMechanism):
 
 def _sloped(mechanism: Mechanism) -> dict[str, float]:
     """Return the cosine of the slope for each body on a rough slope."""
-    sloped = [face for face in rough(mechanism) if not face.turning]
+    sloped = [face for face in rough_faces(mechanism) if not face.turning]
     if not sloped:
         return {}
     frames = initial_frames(mechanism)
     cosines = {face.subject: float(frames.normal(face.subject)[2]) for face in sloped}
-    return {name: cosine for name, cosine in cosines.items() if 0.0 < cosine < LEVEL}
+    return {name: cosine for name, cosine in cosines.items() if 0.0 < cosine < LEVEL_COSINE}

@@ -11,12 +11,12 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, Misconception, MisinterpretedMotion, misconception
 from sim2reason.questions.simplifications.events import is_steady, with_formulas
 from sim2reason.questions.simplifications.orbits import Motion, PlanetOrbit, moving_as, orbits
-from sim2reason.questions.simplifications.pulleys import hanging
+from sim2reason.questions.simplifications.pulleys import find_hanging_loads
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.scenes.dsl.structure import changing, weighs, with_lines
-from sim2reason.simulation.equilibrium import Rest, equilibrium
+from sim2reason.scenes.dsl.structure import changing, is_gravity_relevant, replace_lines
+from sim2reason.simulation.equilibrium import Equilibrium, equilibrium
 from sim2reason.simulation.oscillation import Oscillations, oscillations
 from sim2reason.simulation.trace import Trace
 
@@ -57,7 +57,7 @@ class LengthAsExtension(ChangedMechanism):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with springs of zero natural length."""
         del subject
-        return with_lines(mechanism, _springs(mechanism), _short)
+        return replace_lines(mechanism, _springs(mechanism), _short)
 
 
 def _springs(mechanism: Mechanism) -> list[str]:
@@ -133,7 +133,7 @@ class SmallAngle(MisinterpretedMotion):
         """Return the whole mechanism as the subject if gravity drives a nonlinear motion; else none."""
         del query
         mechanism = study.mechanism
-        return [""] if weighs(mechanism) and changing(mechanism) else []
+        return [""] if is_gravity_relevant(mechanism) and changing(mechanism) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene | None:
         """Return the motion in normal modes; None if there are no modes, or the motion is harmonic anyway."""
@@ -145,7 +145,7 @@ class SmallAngle(MisinterpretedMotion):
         return SimulatedScene(study.scene, trace) if trace is not None else None
 
 
-def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
+def _harmonic(trace: Trace, rest: Equilibrium, modes: Oscillations) -> Trace | None:
     """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; else None."""
     first = trace.sample(np.zeros(1))
     gone, speeds = first.q[0] - rest.coordinates, first.v[0]
@@ -217,10 +217,10 @@ class WeightAsTension(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of hanging bodies."""
         del query
-        return hanging(study.mechanism)
+        return find_hanging_loads(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the weight as the total tension in the strings above the body, shared equally."""
-        load = hanging(mechanism)[subject]
+        load = find_hanging_loads(mechanism)[subject]
         law = ConstantTension(load.mass * -mechanism.gravity[2] / load.runs)
-        return with_lines(mechanism, load.strings, lambda line: replace(line, law=law))
+        return replace_lines(mechanism, load.strings, lambda line: replace(line, law=law))

@@ -10,26 +10,26 @@ from sim2reason.questions.simplifications import ChangedMechanism, Misconception
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody, SurfaceContact
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, composed, transposed
-from sim2reason.scenes.dsl.structure import inertialess, with_bodies
+from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, compose_axes, transposed
+from sim2reason.scenes.dsl.structure import as_point_mass, replace_bodies
 from sim2reason.scenes.dsl.vectors import Vector, add, inner, scale
 
 
-def wheels(mechanism: Mechanism) -> tuple[str, ...]:
+def string_wheels(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the names of the wheels that strings turn."""
     turned = {wheel.coordinate for line in mechanism.lines if line.circle is None for wheel in line.wheels}
     return tuple(c.body for c in mechanism.coordinates if c.name in turned)
 
 
-def massive(mechanism: Mechanism) -> tuple[str, ...]:
+def massive_bodies(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the names of the bodies with mass, except wheels."""
-    turned = wheels(mechanism)
+    turned = string_wheels(mechanism)
     return tuple(body.name for body in mechanism.bodies if body.mass > 0.0 and body.name not in turned)
 
 
-def others(mechanism: Mechanism) -> tuple[str, ...]:
+def influential_bodies(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the bodies with mass that may affect others: all if more than one can move, else the fixed ones."""
-    bodies = massive(mechanism)
+    bodies = massive_bodies(mechanism)
     moving = [name for name in bodies if _can_move(mechanism, name)]
     return bodies if len(moving) > 1 else tuple(name for name in bodies if name not in moving)
 
@@ -41,7 +41,7 @@ def _can_move(mechanism: Mechanism, name: str | None) -> bool:
     return bool(body.coordinates) or _can_move(mechanism, body.parent)
 
 
-def carriers(mechanism: Mechanism) -> tuple[str, ...]:
+def movable_carriers(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the names of the bodies that can move and carry others, such as wedges and carts."""
     parents = {body.parent for body in mechanism.bodies} | {mechanism.site[name].body for name in _led(mechanism)}
     return tuple(body.name for body in mechanism.bodies if body.coordinates and body.mass and body.name in parents)
@@ -52,9 +52,9 @@ def _led(mechanism: Mechanism) -> set[str]:
     return {site for line in mechanism.lines for site in line.through[1:-1]}
 
 
-def solid(mechanism: Mechanism) -> list[str]:
+def rotatable_bodies(mechanism: Mechanism) -> list[str]:
     """Return the names of the bodies with moment of inertia that can rotate."""
-    return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
+    return [name for name in massive_bodies(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
 
 
 def _turns(mechanism: Mechanism, name: str) -> bool:
@@ -65,7 +65,7 @@ def _turns(mechanism: Mechanism, name: str) -> bool:
     return body.parent is not None and _turns(mechanism, body.parent)
 
 
-def rough(mechanism: Mechanism) -> list[SurfaceContact]:
+def rough_faces(mechanism: Mechanism) -> list[SurfaceContact]:
     """Return the faces with finite friction on which a body can slip."""
     return [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction)]
 
@@ -85,7 +85,7 @@ class OtherFigure(Misconception):
         bodies = study.scene.bodies
         return [
             name
-            for name in solid(study.mechanism)
+            for name in rotatable_bodies(study.mechanism)
             if isinstance(shape := bodies.get(name), Shape) and self.overlooked in shape.plainer
         ]
 
@@ -94,7 +94,7 @@ class OtherFigure(Misconception):
         figure = _figure(study.scene, subject, self.overlooked)
 
         def change(mechanism: Mechanism) -> Mechanism:
-            return with_bodies(mechanism, [subject], lambda body: self.taken_for(body, figure))
+            return replace_bodies(mechanism, [subject], lambda body: self.taken_for(body, figure))
 
         return study.changed((self.name, subject), change, until)
 
@@ -107,7 +107,7 @@ def _figure(scene: Scene, name: str, overlooked: Overlooked) -> Solid:
     """Return the simplified shape in its initial orientation about the body's centre."""
     shape = scene.bodies[name]
     assert isinstance(shape, Shape)
-    axes = composed(transposed(shape.seen), scene.builder.turned[name])
+    axes = compose_axes(transposed(shape.seen), scene.builder.turned[name])
     return shape.plainer[overlooked].turned(axes)
 
 
@@ -122,11 +122,11 @@ class CenterOfMass(ChangedMechanism):
         """Return the bodies that can rotate and whose centre of mass is not their centre."""
         del query
         mechanism = study.mechanism
-        return [name for name in solid(mechanism) if any(mechanism.body[name].center)]
+        return [name for name in rotatable_bodies(mechanism) if any(mechanism.body[name].center)]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the body's centre of mass at its centre."""
-        return with_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
+        return replace_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
 
 
 @misconception
@@ -183,12 +183,12 @@ class OwnInertia(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies; none for a single one, which `PointMass` covers."""
         del query
-        bodies = solid(study.mechanism)
+        bodies = rotatable_bodies(study.mechanism)
         return bodies if len(bodies) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without the body's moment of inertia."""
-        return with_bodies(mechanism, [subject], inertialess)
+        return replace_bodies(mechanism, [subject], as_point_mass)
 
 
 ON_AXIS = 1e-9  # m
@@ -218,12 +218,12 @@ class ParallelAxisForgotten(ChangedMechanism):
             xx, yy, zz, xy, xz, yz = (i - body.mass * part for i, part in zip(body.inertia, steiner, strict=True))
             return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
-        return with_bodies(mechanism, arms, less)
+        return replace_bodies(mechanism, arms, less)
 
 
 def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
     """Return the perpendicular vectors, m, from fixed axes of rotation to centres of mass off the axes, by body."""
-    arms = ((name, _arm(mechanism, name)) for name in solid(mechanism))
+    arms = ((name, _arm(mechanism, name)) for name in rotatable_bodies(mechanism))
     return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
 
 
@@ -250,12 +250,12 @@ class PointMass(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a body with moment of inertia can rotate; else none."""
         del query
-        return [""] if solid(study.mechanism) else []
+        return [""] if rotatable_bodies(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without moments of inertia about centres of mass."""
         del subject
-        return with_bodies(mechanism, solid(mechanism), inertialess)
+        return replace_bodies(mechanism, rotatable_bodies(mechanism), as_point_mass)
 
 
 @misconception

@@ -14,7 +14,7 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Attraction, Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.simulation.trace import Trace
 
 SQUARE = 1e-9  # cosine of a right angle
@@ -23,7 +23,7 @@ ACCELERATIONS = {"acceleration", "net force", "greatest acceleration", "least ac
 """What is asked for that hangs on the speed, or on the acceleration, by name."""
 Motion = tuple[Array, Array, Array]
 """Places from the star on, velocities and accelerations, (n, 2) each."""
-Told = Callable[["PlanetOrbit", Array, Array], Array]
+OrbitFormula = Callable[["PlanetOrbit", Array, Array], Array]
 """What is taken for the velocity or the acceleration on an orbit, from places and velocities, (n, 2) each."""
 
 
@@ -86,7 +86,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
         axes = [c.axis for c in coordinates if c.kind == "slide"]
         if len(coordinates) != 2 or len(axes) != 2 or abs(dot(*axes)) > SQUARE:
             return []
-        away = minus(frames.center(planet).place, frames.center(star).place)
+        away = subtract_triples(frames.center(planet).place, frames.center(star).place)
         x, y = (float(dot(away, axis)) for axis in axes)
         one, other = (mechanism.number[c.name] for c in coordinates)
         velocity = coordinates[0].speed, coordinates[1].speed
@@ -109,13 +109,13 @@ def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Mot
     return _read(trace, sample)
 
 
-def with_velocities(trace: Trace, velocity: Told) -> Trace:
+def with_velocities(trace: Trace, velocity: OrbitFormula) -> Trace:
     """Return a motion along the same paths at the same times, with other velocities."""
     planet_orbits = orbits(trace.mechanism)
     return _retold(trace, lambda state: (_told(state, planet_orbits, velocity), state.a))
 
 
-def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
+def with_accelerations(trace: Trace, acceleration: OrbitFormula) -> Trace:
     """Return a motion with the given positions and velocities, but other accelerations."""
     planet_orbits = orbits(trace.mechanism)
     return _retold(trace, lambda state: (state.v, _told(state, planet_orbits, acceleration)))
@@ -136,7 +136,7 @@ def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trac
     return replace(_read(trace, sample), knots=trace.knots)
 
 
-def _told(state: State, planet_orbits: Iterable[PlanetOrbit], formula: Told) -> Array:
+def _told(state: State, planet_orbits: Iterable[PlanetOrbit], formula: OrbitFormula) -> Array:
     values = np.zeros_like(state.q)
     for orbit in planet_orbits:
         columns = list(orbit.numbers)
@@ -149,7 +149,7 @@ def _read(trace: Trace, sample: Callable[[Array], State]) -> Trace:
     return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))
 
 
-def directed(velocity: Array, speed: Array | float) -> Array:
+def scale_to_speed(velocity: Array, speed: Array | float) -> Array:
     """Return velocities with given speeds in the directions of others, (n, 3); zero for bodies at rest."""
     now = np.linalg.norm(velocity, axis=1, keepdims=True)
     return np.divide(velocity * speed, now, out=np.zeros_like(velocity), where=now > 0.0)
@@ -224,7 +224,7 @@ class CircularOrbitSpeed(MisinterpretedMotion):
 
 def _as_on_a_circle(orbit: PlanetOrbit, position: Array, velocity: Array) -> Array:
     distance = np.linalg.norm(position, axis=1, keepdims=True)
-    return directed(velocity, np.sqrt(orbit.gravitational_parameter / distance))
+    return scale_to_speed(velocity, np.sqrt(orbit.gravitational_parameter / distance))
 
 
 @misconception
@@ -246,7 +246,7 @@ class ConstantOrbitalSpeed(MisinterpretedMotion):
 
 def _as_at_first(orbit: PlanetOrbit, position: Array, velocity: Array) -> Array:
     del position
-    return directed(velocity, hypot(*orbit.velocity))
+    return scale_to_speed(velocity, hypot(*orbit.velocity))
 
 
 @misconception

@@ -8,15 +8,15 @@ from math import hypot
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.events import query_time
-from sim2reason.questions.simplifications.inertia import wheels
+from sim2reason.questions.simplifications.inertia import string_wheels
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
-from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, fix_body, with_bodies, with_lines
-from sim2reason.scenes.dsl.vectors import minus
+from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, fix_body, replace_bodies, replace_lines
+from sim2reason.scenes.dsl.vectors import subtract_triples
 
 UPRIGHT = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical
-PLAIN = Inextensible()
+PLAIN_STRING = Inextensible()
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,7 @@ class HangingLoad:
     mass: float  # kg, of all of it
 
 
-def hanging(mechanism: Mechanism) -> dict[str, HangingLoad]:
+def find_hanging_loads(mechanism: Mechanism) -> dict[str, HangingLoad]:
     """Return the bodies that can only move vertically and are held by strings alone, with their loads, by name."""
     holding = _Holding(mechanism)
     loads = ((body.name, holding.hanging(body.name)) for body in mechanism.bodies)
@@ -41,11 +41,11 @@ def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
     passed = {mechanism.site[site].body for line in mechanism.lines for site in line.through[1:-1]}
     turned = {wheel.coordinate for line in mechanism.lines for wheel in line.wheels}
     passed |= {coordinate.body for coordinate in mechanism.coordinates if coordinate.name in turned}
-    movable = {carried(mechanism, name) for name in passed}
+    movable = {find_carrier(mechanism, name) for name in passed}
     return tuple(body.name for body in mechanism.bodies if body.name in movable and not body.mass and _rises(body))
 
 
-def carried(mechanism: Mechanism, name: str | None) -> str | None:
+def find_carrier(mechanism: Mechanism, name: str | None) -> str | None:
     """Return the sliding body that a body is or is mounted on, as a wheel is; None for a fixed point."""
     while name is not None and not any(c.kind == "slide" for c in mechanism.body[name].coordinates):
         name = mechanism.body[name].parent
@@ -65,7 +65,7 @@ class _Holding:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self._mechanism = mechanism
-        self._runs = list(_runs(mechanism, initial_frames(mechanism)))
+        self._runs = list(_straight_runs(mechanism, initial_frames(mechanism)))
 
     def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> HangingLoad | None:
         """Return a body with the loads that hang from it; None if it is not held by strings alone."""
@@ -74,7 +74,7 @@ class _Holding:
         if name in seen or name in mechanism.contacts or not _rises(body):
             return None
         above = [line for line, low, _ in self._runs if low == name]
-        if not above or any(line.law != PLAIN for line in above) or len({line.whole for line in above}) > 1:
+        if not above or any(line.law != PLAIN_STRING for line in above) or len({line.whole for line in above}) > 1:
             return None
         mass = body.mass + sum(other.mass for other in mechanism.bodies if other.parent == name)
         for low in (low for _, low, high in self._runs if high == name):
@@ -85,12 +85,12 @@ class _Holding:
         return HangingLoad(name, tuple(dict.fromkeys(line.name for line in above)), len(above), mass)
 
 
-def _runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line, str | None, str | None]]:
+def _straight_runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line, str | None, str | None]]:
     """Yield straight pieces of lines with the bodies at the lower and upper end; in both orders if not vertical."""
     for line in mechanism.lines:
         for one, other in pairwise(line.through):
-            ends = [carried(mechanism, mechanism.site[site].body) for site in (one, other)]
-            x, y, z = (float(part) for part in minus(frames.site(other).place, frames.site(one).place))
+            ends = [find_carrier(mechanism, mechanism.site[site].body) for site in (one, other)]
+            x, y, z = (float(part) for part in subtract_triples(frames.site(other).place, frames.site(one).place))
             length = hypot(x, y, z)
             if ends[0] == ends[1] or not length:
                 continue
@@ -130,12 +130,12 @@ class MasslessPulley(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return all pulleys as one subject if they have mass."""
         del query
-        return [""] if wheels(study.mechanism) else []
+        return [""] if string_wheels(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with negligible mass and inertia of pulleys."""
         del subject
-        return with_bodies(mechanism, wheels(mechanism), _light)
+        return replace_bodies(mechanism, string_wheels(mechanism), _light)
 
 
 def _light(body: RigidBody) -> RigidBody:
@@ -166,7 +166,7 @@ def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
     """Return the name of the movable pulley beyond which a line ends at a fixed point; None if there is none."""
     pulleys = movable_pulleys(mechanism)
     for end, before in (line.through[:2], line.through[:-3:-1]):
-        name = carried(mechanism, mechanism.site[before].body)
+        name = find_carrier(mechanism, mechanism.site[before].body)
         if mechanism.site[end].body is None and name in pulleys:
             return name
     return None
@@ -176,13 +176,13 @@ def _tied(mechanism: Mechanism, line: Line) -> Line:
     """Return the part of a string up to the movable pulley before its fixed end; a part beyond exerts no force."""
     parts = (part for part in mechanism.lines if part.whole == line.whole)
     pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
-    turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}
+    turned = {c.name for c in mechanism.coordinates if find_carrier(mechanism, c.body) == pulley}
     free = replace(line, wheels=tuple(wheel for wheel in line.wheels if wheel.coordinate not in turned))
     if _ends_beyond(mechanism, line) is None:
         return free
     forth = mechanism.site[line.through[-1]].body is None
     through = line.through if forth else line.through[::-1]
-    first = next(n for n, site in enumerate(through) if carried(mechanism, mechanism.site[site].body) == pulley)
+    first = next(n for n, site in enumerate(through) if find_carrier(mechanism, mechanism.site[site].body) == pulley)
     if not first:
         return replace(free, law=ConstantTension(0.0))
     kept = through[: first + 1]
@@ -204,12 +204,12 @@ class PulleyRotationLeftOut(ChangedMechanism):
         """
         del query
         mechanism = study.mechanism
-        turning = [name for name in wheels(mechanism) if any(mechanism.body[name].inertia)]
-        return [name for name in turning if len(turning) > 1 or carried(mechanism, name) is not None]
+        turning = [name for name in string_wheels(mechanism) if any(mechanism.body[name].inertia)]
+        return [name for name in turning if len(turning) > 1 or find_carrier(mechanism, name) is not None]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with a negligible moment of inertia of the pulley."""
-        return with_bodies(mechanism, [subject], without_rotation)
+        return replace_bodies(mechanism, [subject], without_rotation)
 
 
 def without_rotation(body: RigidBody) -> RigidBody:
@@ -228,14 +228,14 @@ class PulleyRotationsLeftOut(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return all pulleys as one subject if there are several, at least one of them movable."""
         del query
-        turning = wheels(study.mechanism)
-        several = len(turning) > 1 and any(carried(study.mechanism, name) is not None for name in turning)
+        turning = string_wheels(study.mechanism)
+        several = len(turning) > 1 and any(find_carrier(study.mechanism, name) is not None for name in turning)
         return [""] if several else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with negligible moments of inertia of pulleys."""
         del subject
-        return with_bodies(mechanism, wheels(mechanism), without_rotation)
+        return replace_bodies(mechanism, string_wheels(mechanism), without_rotation)
 
 
 @misconception
@@ -256,9 +256,9 @@ class StringsLeftOut(ChangedMechanism):
         del subject
         light = [body.name for body in mechanism.bodies if not body.mass and body.coordinates]
         mass = RESIDUAL_MASS_RATIO * sum(body.mass for body in mechanism.bodies)
-        movable = with_bodies(mechanism, light, lambda body: replace(body, mass=mass))
+        movable = replace_bodies(mechanism, light, lambda body: replace(body, mass=mass))
         strings = (line.name for line in mechanism.strings if line.circle is None)
-        return with_lines(movable, strings, lambda line: replace(line, law=ConstantTension(0.0)))
+        return replace_lines(movable, strings, lambda line: replace(line, law=ConstantTension(0.0)))
 
 
 @misconception
@@ -279,7 +279,7 @@ class TautStrings(ChangedMechanism):
         """Return the mechanism with rods in place of strings."""
         del subject
         names = [line.name for line in _plain(mechanism)]
-        return with_lines(mechanism, names, lambda line: replace(line, law=Rigid()))
+        return replace_lines(mechanism, names, lambda line: replace(line, law=Rigid()))
 
 
 def _plain(mechanism: Mechanism) -> list[Line]:

@@ -7,7 +7,7 @@ from annotated_types import Ge, Le
 
 from sim2reason.scenes.dsl.body import Axial, Body, Rectangular, Slender, Small, body
 from sim2reason.scenes.dsl.measures import LEAST, Length, Mass, Measure, NaturalLength, Range, Stiffness
-from sim2reason.scenes.dsl.solids import SMALL, Overlooked, Shape, Solid, box, point, rod
+from sim2reason.scenes.dsl.solids import MAX_SIZE, Overlooked, Shape, Solid, box, point, rod
 from sim2reason.scenes.dsl.template import Word
 from sim2reason.scenes.dsl.vectors import Vector
 
@@ -84,8 +84,8 @@ class FixedBall(Shape):
         return 0.0
 
 
-Width = Annotated[float, LEAST, SMALL, Measure("width", "m", "w"), Range(0.05, 0.2)]
-Depth = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "h"), Range(0.02, 0.05)]
+Width = Annotated[float, LEAST, MAX_SIZE, Measure("width", "m", "w"), Range(0.05, 0.2)]
+Depth = Annotated[float, LEAST, MAX_SIZE, Measure("thickness", "m", "h"), Range(0.02, 0.05)]
 
 
 @body

@@ -8,7 +8,7 @@ from pydantic import model_validator
 from sim2reason.scenes.dsl.body import THIN, Axial, Spherical, body
 from sim2reason.scenes.dsl.measures import LEAST, Measure, Range
 from sim2reason.scenes.dsl.solids import (
-    SMALL,
+    MAX_SIZE,
     Extent,
     Overlooked,
     Radius,
@@ -192,7 +192,7 @@ class Hoop(Shape):
         return Axial(self.radius, wall=THIN * self.radius)
 
 
-Bore = Annotated[float, LEAST, SMALL, Measure("inner radius", "m", "r"), Range(0.02, 0.12)]
+Bore = Annotated[float, LEAST, MAX_SIZE, Measure("inner radius", "m", "r"), Range(0.02, 0.12)]
 
 
 @body

@@ -23,7 +23,7 @@ from sim2reason.scenes.dsl.connection import (
     SentenceWriter,
     connection,
 )
-from sim2reason.scenes.dsl.defaults import opposite
+from sim2reason.scenes.dsl.defaults import opposite_direction
 from sim2reason.scenes.dsl.measures import FreeLength
 from sim2reason.scenes.dsl.mechanism import ZERO, Inextensible
 from sim2reason.scenes.dsl.ports import Pass, Port, SitePort, Stop, StringEnd, StringPort
@@ -116,9 +116,9 @@ class String(Connection):
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
         """Return the sentence of the string: its tied body, the pulleys that it passes, and its end."""
         name = joint.name
-        stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
+        stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _opening_rank(path[0]))
         first = stops[0]
-        if not isinstance(first.port, StringEnd) or not _worth(first):
+        if not isinstance(first.port, StringEnd) or not _opening_rank(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
         opening = writer.choose((*HANGING, *OPENINGS) if first.port.hangs else OPENINGS)
         string = writer.choose(string_names(writer.finished))
@@ -163,7 +163,7 @@ def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
     return FURTHER_PHRASES if "light strings" in text or count >= len(ORDINAL_PHRASES) else ORDINAL_PHRASES[count]
 
 
-def _worth(stop: Stop) -> int:
+def _opening_rank(stop: Stop) -> int:
     """Return a rank of a stop as the beginning of a sentence: highest for a movable body, zero for a hand."""
     port = stop.port
     return bool(port.tied) + bool(port.leaves) if isinstance(port, StringEnd) else 0
@@ -187,7 +187,7 @@ def redirections(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str
     for index, (one, other) in enumerate(pairwise(stops)):
         leaves = travelled_sites(one, first=index == 0)[-1]
         reaches = travelled_sites(other, first=False)[0]
-        straight = opposite(builder.faces[leaves], builder.faces[reaches])
+        straight = opposite_direction(builder.faces[leaves], builder.faces[reaches])
         pairs.append(None if straight else (leaves, reaches))
     return pairs
 
@@ -206,11 +206,11 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
 def join_verbs(verbs: list[str]) -> str:
     """Return verb phrases as one list *V, V and V*; a repeated verb becomes *then*."""
     verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
-    phrases = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
+    phrases = [verbs[0], *(verb_after(before, verb) for before, verb in pairwise(verbs))]
     return phrases[0] if len(phrases) == 1 else ", ".join(phrases[:-1]) + " and " + phrases[-1]
 
 
-def after(before: str, verb: str) -> str:
+def verb_after(before: str, verb: str) -> str:
     """Return a verb phrase as it follows another: *passes over* after *passes over* becomes *then over*."""
     for (one, other), onward in CONTINUATIONS.items():
         if before.startswith(one) and verb.startswith(other):
@@ -259,11 +259,13 @@ class SentenceParser(Generic[S]):
                 rest = replace(leg, stops=leg.stops[1:])
                 if begin is not None and stop.port.leaves:
                     for here, left in self._matcher.template(self._text, begin, stop.port.leaves, stop.owner, then):
-                        yield from self._on(here, replace(rest, state=left), (leg.link,), (), stop.port.leaves)
+                        yield from self._parse_continuation(
+                            here, replace(rest, state=left), (leg.link,), (), stop.port.leaves
+                        )
                 if begin is not None:  # how it leaves may be left to the verb after it
-                    yield from self._on(begin, replace(rest, state=then), (leg.link,), (), "")
+                    yield from self._parse_continuation(begin, replace(rest, state=then), (leg.link,), (), "")
 
-    def _on(
+    def _parse_continuation(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
         """Yield the readings of the text from index `at` on, for a string that continues through the stops of `leg`."""
@@ -271,7 +273,7 @@ class SentenceParser(Generic[S]):
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
             for new in self._routes.legs(String, leg.state, links):
-                yield from self._on(at, new, (*links, new.link), owned, before)
+                yield from self._parse_continuation(at, new, (*links, new.link), owned, before)
         elif self._text[at:] == self._end:
             yield ParsedSentence(leg.state, links, owned)
 
@@ -283,7 +285,7 @@ class SentenceParser(Generic[S]):
         final = leg.last and not rest
         for verb in dict.fromkeys(clause(stop.port, preposition) for preposition in WAYS):
             for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
-                yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
+                yield from self._parse_continuation(end, replace(leg, stops=rest, state=then), links, owned, verb)
         if owned and before.endswith(f"{{{owned[-1]}}}"):
             return  # there is one pulley in a gap at most
         address = f"{self._name}.pulley{len(owned) + 1}"
@@ -295,7 +297,7 @@ class SentenceParser(Generic[S]):
 
     def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
         """Yield the readings of one verb phrase, with the comma or *and* that joins it to the phrase before."""
-        phrase, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
+        phrase, comma = (verb_after(before, verb), " and " if final else ", ") if before else (verb, "")
         begin = self._matcher.literal(self._text, at, comma)
         if begin is None:
             return

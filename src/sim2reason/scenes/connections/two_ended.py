@@ -26,8 +26,8 @@ from sim2reason.scenes.dsl.connection import (
     SentenceWriter,
     connection,
 )
-from sim2reason.scenes.dsl.defaults import opposite
-from sim2reason.scenes.dsl.entity import phrase_of
+from sim2reason.scenes.dsl.defaults import opposite_direction
+from sim2reason.scenes.dsl.entity import port_phrase
 from sim2reason.scenes.dsl.measures import Chance, FreeLength, Measure, Range, Stiffness, Strain
 from sim2reason.scenes.dsl.mechanism import Rigid
 from sim2reason.scenes.dsl.model import field_types
@@ -58,7 +58,7 @@ class TwoEnded(Connection):
         numbers = {name for name, kind in fields if (kind.measure is not None or kind.words) and not kind.hidden}
         for wordings, ends in ((cls.says.wordings, {"a", "b"}), (cls.leads.wordings, {"a", "way", "b"})):
             for template in wordings:
-                missing = (ends | numbers) - _told(cls, template)
+                missing = (ends | numbers) - _stated_paths(cls, template)
                 if missing:
                     raise TypeError(f"{cls.__name__}: {template!r} leaves {', '.join(sorted(missing))} unsaid")
 
@@ -80,8 +80,8 @@ class TwoEnded(Connection):
         first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
         direction = self.way(first.port)
         phrases = {
-            "a": (phrase_of(first.port), first.owner),
-            "b": (phrase_of(last.port), last.owner),
+            "a": (port_phrase(first.port), first.owner),
+            "b": (port_phrase(last.port), last.owner),
             "way": (direction, first.owner),
         }
         text = ""
@@ -134,7 +134,7 @@ class TwoEnded(Connection):
                 continue
             for leg in (legs["a"],) if slot == "way" else cls._ends(slot, legs, routes, then):
                 stop, known_by = leg.stops[0], then if slot == "way" else leg.state
-                phrase = cls.way(stop.port) if slot == "way" else phrase_of(stop.port)
+                phrase = cls.way(stop.port) if slot == "way" else port_phrase(stop.port)
                 for here, next_state in matcher.template(text, after, phrase, stop.owner, known_by) if phrase else ():
                     all_legs = legs if slot == "way" else {**legs, slot: leg}
                     yield from cls._matched(text, here, rest, all_legs, (name, next_state, matcher, routes))
@@ -148,7 +148,7 @@ class TwoEnded(Connection):
                 yield leg
 
 
-def _told(cls: type[Connection], template: str) -> set[str]:
+def _stated_paths(cls: type[Connection], template: str) -> set[str]:
     """Return the placeholders of ends and numbers that a wording states, also in words that depend on a value."""
     placeholders = set(paths(template))
     for word in (cls.words[name] for name in placeholders & cls.words.keys()):
@@ -177,7 +177,7 @@ class Straight(TwoEnded):
     def ends(self, joint: Joint, builder: Builder) -> list[str]:
         """Return the two joined sites; raise SceneError if the line between them would have to bend."""
         sites = [stop.sites[0] for stop in joint.stops]
-        if not opposite(*(builder.faces[site] for site in sites)):
+        if not opposite_direction(*(builder.faces[site] for site in sites)):
             problem = f"{' and '.join(map(str, self.links))} do not face each other, and a {self.key} runs straight"
             raise SceneError(
                 joint.name, problem, "join ends that it can leave in opposite directions, or lead a string"

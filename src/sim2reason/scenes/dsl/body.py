@@ -207,12 +207,12 @@ class Body(Model):
         introductions = [*cls.lone, *cls.again, *cls.named, *filter(None, (cls.listed, cls.alike))]
         if len(cls.lone) < 2 or (cls.letters and len(cls.named) < 2):
             raise TypeError(f"{cls.__name__}: a body needs at least two ways to be introduced")
-        numbers_by_template = {template: cls.says_in(template) for template in introductions}
+        numbers_by_template = {template: cls.stated_parameters(template) for template in introductions}
         if len({frozenset(numbers) for numbers in numbers_by_template.values()}) > 1:
             raise TypeError(f"{cls.__name__}: its introductions say different numbers: {numbers_by_template}")
 
     @classmethod
-    def says_in(cls, template: str) -> set[str]:
+    def stated_parameters(cls, template: str) -> set[str]:
         """Return the parameters that a template states, by number or by word; raise TypeError for an unknown name."""
         parameters: set[str] = set()
         for slot in slots(template):
@@ -221,8 +221,8 @@ class Body(Model):
             if slot.path in cls.words:
                 word = cls.words[slot.path]
                 inner = [*word.special.values(), word.otherwise]
-                parameters |= set[str]().union(*(cls.says_in(text) for text in inner))
-                parameters |= {word.parameter} if word.otherwise and cls.says_in(word.otherwise) else set()
+                parameters |= set[str]().union(*(cls.stated_parameters(text) for text in inner))
+                parameters |= {word.parameter} if word.otherwise and cls.stated_parameters(word.otherwise) else set()
             elif slot.path in field_types(cls):
                 parameters.add(slot.path)
             else:

@@ -21,7 +21,7 @@ SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or hori
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
     """Return random choices for optional fields and some special numbers of a class and of all classes inside."""
     chosen = chances(cls)
-    for model in reachable(cls):
+    for model in contained_classes(cls):
         for name, kind in field_types(model).items():
             special = specials(model, name)
             if kind.measure is not None and special and rng.random() < SPECIAL:
@@ -33,7 +33,7 @@ def chances(cls: type[Model]) -> dict[str, Choice]:
     """Return the probabilities of optional fields of a class and of all classes that it can contain."""
     return {
         f"{model.__name__}.{name}?": OPTIONAL
-        for model in reachable(cls)
+        for model in contained_classes(cls)
         for name, kind in field_types(model).items()
         if (kind.optional or not model.model_fields[name].is_required()) and (kind.drawn or kind.models or kind.words)
     }
@@ -47,7 +47,7 @@ def specials(model: type[Model], name: str) -> list[float]:
     )
 
 
-def reachable(cls: type[Model]) -> list[type[Model]]:
+def contained_classes(cls: type[Model]) -> list[type[Model]]:
     """Return a class and all classes that it can contain, each once."""
     classes: list[type[Model]] = []
     waiting = [cls]
@@ -166,4 +166,4 @@ def _ends() -> Iterator[tuple[type[Entity], str]]:
 
 
 def _has_bodies(cls: type[Entity]) -> bool:
-    return any(issubclass(model, Body) for model in reachable(cls))
+    return any(issubclass(model, Body) for model in contained_classes(cls))

@@ -25,7 +25,7 @@ from sim2reason.scenes.dsl.mechanism import (
     RigidBody,
     Site,
     SurfaceContact,
-    Wheel,
+    WheelCoupling,
 )
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.scenes.dsl.vectors import Vector, add
@@ -167,7 +167,7 @@ class Collector:
             self.add_site(end, None, at)
         hinges = [self._bodies[body].coordinates for body in bodies]
         sides = zip(hinges, (-radius, radius), strict=True)
-        wheels = tuple(Wheel(hinge.name, side) for own, side in sides for hinge in own)
+        wheels = tuple(WheelCoupling(hinge.name, side) for own, side in sides for hinge in own)
         self._new(name, self._lines)
         self._lines[name] = Line(name, name, ends, wheels, law, bodies)
 
@@ -175,12 +175,12 @@ class Collector:
         """Add a string wound round a rotating body; its free length shrinks by `radius` times the angle."""
         self._new(name, self._lines)
         self.wound.add(name)
-        wheels = tuple(Wheel(hinge.name, radius) for hinge in self._bodies[body].coordinates)
+        wheels = tuple(WheelCoupling(hinge.name, radius) for hinge in self._bodies[body].coordinates)
         self._lines[name] = Line(name, name, ends, wheels, Inextensible())
 
-    def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
+    def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[WheelCoupling, ...]]]:
         """Return the parts of a path, split where it passes the rim of a massive pulley."""
-        parts: list[tuple[list[str], list[Wheel]]] = [([], [])]
+        parts: list[tuple[list[str], list[WheelCoupling]]] = [([], [])]
         for site in through:
             if site not in self._sites:
                 raise ValueError(f"no site is called {site!r}")
@@ -190,12 +190,12 @@ class Collector:
                 sites.append(site)
             else:
                 wheels.append(grip)
-                parts.append(([site], [Wheel(grip.coordinate, -grip.radius)]))
+                parts.append(([site], [WheelCoupling(grip.coordinate, -grip.radius)]))
         if any(len(sites) < 2 for sites, _ in parts):
             raise ValueError("a string needs two ends, and something between any two massive pulleys")
         return [(tuple(sites), tuple(wheels)) for sites, wheels in parts]
 
-    def _grip(self, first: str, last: str) -> Wheel | None:
+    def _grip(self, first: str, last: str) -> WheelCoupling | None:
         """Return the wheel of a massive pulley with rim points `first` and `last`, signed by direction; else None."""
         pulley = self._rims.get((first, last)) or self._rims.get((last, first))
         if pulley is None or pulley.coordinate is None:
@@ -204,7 +204,7 @@ class Collector:
         # gives out string that holds it from above.
         upwards = self.faces[first]
         under = upwards is not None and upwards[2] > 0.0
-        return Wheel(pulley.coordinate, pulley.radius if (first == pulley.left) != under else -pulley.radius)
+        return WheelCoupling(pulley.coordinate, pulley.radius if (first == pulley.left) != under else -pulley.radius)
 
     def _new(self, name: str, known: Iterable[str]) -> None:
         if name in known:

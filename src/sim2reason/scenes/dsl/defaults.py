@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.vectors import Vector, add, scale
 GAP = 1.0  # m between entities that no straight string aligns, for drawings only
 
 
-def opposite(one: Vector | None, other: Vector | None) -> bool:
+def opposite_direction(one: Vector | None, other: Vector | None) -> bool:
     """Return whether a straight string can leave two sites in these directions; None means any direction."""
     return one is None or other is None or hypot(*add(one, other)) < 1e-9
 
@@ -37,7 +37,7 @@ class Mounted(NamedTuple):
     stiff: bool
 
 
-def placed(
+def place_entities(
     entities: Sequence[Named],
     paths: Sequence[tuple[Connection, Sequence[Stop]]],
     builder: Builder,
@@ -128,7 +128,7 @@ def _align(pairs: list[Neighbours], offsets: dict[str, Vector], alone: Mapping[s
 def _shift(pair: Neighbours, alone: Mapping[str, Builder], offsets: dict[str, Vector]) -> None:
     near, far = _owner(pair.one), _owner(pair.other)
     here, there = alone[near].faces[pair.one], alone[far].faces[pair.other]
-    if (here is None and there is None) or not opposite(here, there):
+    if (here is None and there is None) or not opposite_direction(here, there):
         return
     towards = here if here is not None else scale(-1.0, there or ZERO)
     wanted = add(alone[near].position(pair.one), offsets[near], scale(pair.spacing, towards))

@@ -193,14 +193,14 @@ def entity(cls: type[E]) -> type[E]:
 
 
 @cache
-def ports_of(cls: type[Part]) -> Mapping[str, Port]:
+def declared_ports(cls: type[Part]) -> Mapping[str, Port]:
     """Return the ports that a class declares, by name, in the order of declaration."""
     members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
     return {name: member for name, member in members.items() if isinstance(member, Port)}
 
 
 @cache
-def inside(cls: type[Part]) -> Mapping[str, InternalConnection]:
+def internal_connections(cls: type[Part]) -> Mapping[str, InternalConnection]:
     """Return the connections inside an entity, by name."""
     return {name: member for name, member in vars(cls).items() if isinstance(member, InternalConnection)}
 
@@ -208,20 +208,20 @@ def inside(cls: type[Part]) -> Mapping[str, InternalConnection]:
 @cache
 def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
     """Return the ports open to connections: those not used inside the entity or by a chain."""
-    declared = ports_of(cls)
-    used = {stop for inner in inside(cls).values() for stop in inner.stops}
+    declared = declared_ports(cls)
+    used = {stop for inner in internal_connections(cls).values() for stop in inner.stops}
     used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
     return {name: port for name, port in declared.items() if name not in used}
 
 
-def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
+def port_stops(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
     """Return the stops of the port `name` of a part: one, or several from the inside out for a chain of ports."""
     head, _, rest = name.partition(".")
     if rest:
-        return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
-    port = ports_of(type(part))[name]
+        return port_stops(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
+    port = declared_ports(type(part))[name]
     if isinstance(port, Chain):
-        return [stop for inner in port.stops for stop in stops_of(part, inner, address)]
+        return [stop for inner in port.stops for stop in port_stops(part, inner, address)]
     assert isinstance(port, SitePort)
     return [Stop(address, port, flipped)]
 
@@ -231,15 +231,15 @@ def check_lines(cls: type[Part]) -> frozenset[str]:
 
     Raise TypeError if the lines of the class do not state all other declared numbers.
     """
-    required = {name for name, port in ports_of(cls).items() if port.required}
-    chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
-    roped = {stop for inner in inside(cls).values() for stop in inner.stops}
+    required = {name for name, port in declared_ports(cls).items() if port.required}
+    chained = {inner for name in required for inner in getattr(declared_ports(cls)[name], "stops", ())}
+    roped = {stop for inner in internal_connections(cls).values() for stop in inner.stops}
     stated: set[str] = set()
     for saying in cls.says:
         if isinstance(saying, Each | PartLines) and saying.field not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
-        stated |= _told(cls, saying)
-    for name, port in ports_of(cls).items():
+        stated |= _stated_by_line(cls, saying)
+    for name, port in declared_ports(cls).items():
         clause_numbers = _clauses(cls, port)
         if name in required | chained | roped:
             stated |= clause_numbers
@@ -258,7 +258,7 @@ def _is_spared(cls: type[Part], path: str) -> bool:
     return any(field in field_types(model) and field_types(model)[field].usual is False for model in models)
 
 
-def _told(cls: type[Part], saying: Saying) -> set[str]:
+def _stated_by_line(cls: type[Part], saying: Saying) -> set[str]:
     """Return the numbers that a line states; TypeError if its wordings with the given optional number state fewer."""
     *without, stated = (_common(cls, templates) for templates in variants(saying))
     if isinstance(saying, Wordings) and saying.given and saying.given not in stated:
@@ -270,7 +270,7 @@ def _told(cls: type[Part], saying: Saying) -> set[str]:
     return stated
 
 
-def parts_at(part: Part, field: str) -> dict[str, Part]:
+def field_parts(part: Part, field: str) -> dict[str, Part]:
     """Return the parts in a field, one or several, by path from the part that contains them."""
     value: Any = getattr(part, field)
     several = isinstance(value, tuple)
@@ -285,11 +285,11 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
         return _common(cls, (port.passes,))
     if isinstance(port, StringEnd):
         return _common(cls, (port.arrives, *((port.tied + port.leaves,) if port.can_begin else ())))
-    phrase = phrase_of(port)
+    phrase = port_phrase(port)
     return _common(cls, (phrase,)) if phrase else set()
 
 
-def phrase_of(port: Port) -> str:
+def port_phrase(port: Port) -> str:
     """Return the phrase of a port for a connection that ends at the port; empty if the port has no phrase."""
     if isinstance(port, Attachment):
         return port.tied
@@ -352,11 +352,11 @@ def _word_paths(word: Word) -> set[str]:
 
 def _told_by_body(cls: type[Part], head: str, model: type[Model], rest: list[str], *, whole: bool) -> set[str]:
     if issubclass(model, Body) and not rest:
-        return {f"{head}.{name}" for name in model.says_in(model.lone[0])} if whole and model.lone else set()
+        return {f"{head}.{name}" for name in model.stated_parameters(model.lone[0])} if whole and model.lone else set()
     if issubclass(model, Part):
         return set()
     if rest[0] in field_types(model):
         return {f"{head}.{rest[0]}"}
     if issubclass(model, Body) and rest[0] in model.words:
-        return {f"{head}.{name}" for name in model.says_in(f"{{{rest[0]}}}")}
+        return {f"{head}.{name}" for name in model.stated_parameters(f"{{{rest[0]}}}")}
     raise TypeError(f"{cls.__name__}: a line names {head}.{rest[0]}, which {model.__name__} does not have")

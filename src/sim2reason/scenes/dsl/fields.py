@@ -7,7 +7,18 @@ number.
 from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, add, cross, dot, inner, minus, times
+from sim2reason.scenes.dsl.vectors import (
+    Maths,
+    Number,
+    Triple,
+    Vector,
+    add,
+    cross,
+    dot,
+    inner,
+    scale_triple,
+    subtract_triples,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +142,7 @@ class Push:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force, N: the strength times the direction."""
         del velocity
-        return times(self.profile.at(place, time, maths), self.direction)
+        return scale_triple(self.profile.at(place, time, maths), self.direction)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return the potential energy −∫F·dr, J; None if the force depends on time, or changes across its direction."""
@@ -173,7 +184,7 @@ class Magnetic:
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force, which is perpendicular to velocity and field and does no work."""
-        return times(self.profile.at(place, time, maths), cross(velocity, self.direction))
+        return scale_triple(self.profile.at(place, time, maths), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return 0, since the force does no work."""
@@ -215,7 +226,7 @@ class Resistance:
         factor: Number = -self.linear
         if self.quadratic:
             factor = factor - self.quadratic * maths.sqrt(dot(velocity, velocity))
-        return times(factor, velocity)
+        return scale_triple(factor, velocity)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return None, since drag dissipates energy."""
@@ -244,15 +255,15 @@ class Central:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force along the line from the centre, N."""
         del velocity, time
-        separation = minus(place, self.center)
+        separation = subtract_triples(place, self.center)
         square = dot(separation, separation)
-        return times(self.strength / _power(square, self.power + 1, maths), separation)
+        return scale_triple(self.strength / _power(square, self.power + 1, maths), separation)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return the potential energy strength / ((p − 1) rᵖ⁻¹), zero at infinity, J; None for p = 1."""
         if self.power == 1:
             return None
-        separation = minus(place, self.center)
+        separation = subtract_triples(place, self.center)
         return self.strength / (self.power - 1) / _power(dot(separation, separation), self.power - 1, maths)
 
     @property

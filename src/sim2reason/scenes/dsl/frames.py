@@ -21,12 +21,12 @@ from sim2reason.scenes.dsl.vectors import (
     Point,
     Triple,
     Vector,
+    add_triples,
     cross,
     distance,
     dot,
-    minus,
-    plus,
-    times,
+    scale_triple,
+    subtract_triples,
 )
 
 Rotation = tuple[Triple, Triple, Triple]  # rows
@@ -69,7 +69,7 @@ class BodyFrame:
             return vector
         return (dot(self.rotation[0], vector), dot(self.rotation[1], vector), dot(self.rotation[2], vector))
 
-    def unturned(self, vector: Triple) -> Triple:
+    def to_body_axes(self, vector: Triple) -> Triple:
         """Return a vector given in the axes of the room, in this frame."""
         if self.rotation is None:
             return vector
@@ -80,22 +80,24 @@ class BodyFrame:
     def point(self, at: Triple = ZERO) -> Point:
         """Return a point fixed in this frame."""
         arm = self.turned(at)
-        position = plus(self.origin, arm)
+        position = add_triples(self.origin, arm)
         if self.spin is None:
             return Point(position, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
         gradient = {
-            step.number: step.axis if step.pivot is None else cross(step.axis, minus(position, step.pivot))
+            step.number: step.axis if step.pivot is None else cross(step.axis, subtract_triples(position, step.pivot))
             for step in self.steps
         }
-        velocity, bias = self.carried(arm)
+        velocity, bias = self.point_motion(arm)
         return Point(position, velocity, bias, gradient, self.lift)
 
-    def carried(self, arm: Triple) -> tuple[Triple, Triple]:
+    def point_motion(self, arm: Triple) -> tuple[Triple, Triple]:
         """Return velocity and bias (acceleration at q̈ = 0) of a point at `arm` from the origin, in the room's axes."""
         if self.spin is None or self.spin is ZERO:
             return self.velocity, self.bias
         swing = cross(self.spin, arm)
-        return plus(self.velocity, swing), plus(self.bias, plus(cross(self.spin_bias, arm), cross(self.spin, swing)))
+        return add_triples(self.velocity, swing), add_triples(
+            self.bias, add_triples(cross(self.spin_bias, arm), cross(self.spin, swing))
+        )
 
     @property
     def hinges(self) -> tuple[Step, ...]:
@@ -144,7 +146,7 @@ class Frames:
         if frame is None:
             assert body is not None
             rigid_body = self._mechanism.body[body]
-            frame = self._frames[body] = self._at_rest(rigid_body) if self._still else self._of(rigid_body)
+            frame = self._frames[body] = self._at_rest(rigid_body) if self._still else self._compute_frame(rigid_body)
         return frame
 
     def center(self, body: str) -> Point:
@@ -182,7 +184,7 @@ class Frames:
         """Return the sum of the distances between the sites of a line, m."""
         total: Number = 0.0
         for first, last in pairwise(line.through):
-            separation = minus(self.site(last).place, self.site(first).place)
+            separation = subtract_triples(self.site(last).place, self.site(first).place)
             total = total + self._maths.sqrt(dot(separation, separation))
         return total
 
@@ -195,7 +197,7 @@ class Frames:
     def _at_rest(self, body: RigidBody) -> BodyFrame:
         """Return the initial frame of a body, which has the axes of the room."""
         carrier = self[body.parent]
-        origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
+        origin = carrier.origin if body.at is ZERO else add_triples(carrier.origin, body.at)
         steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
         for coordinate in body.coordinates:
             number = self._mechanism.number[coordinate.name]
@@ -208,7 +210,7 @@ class Frames:
             lift = {**lift, self._mechanism.face_number[body.name]: face.normal}
         return BodyFrame(origin, None, ZERO, ZERO, spin, ZERO, steps, lift)
 
-    def _of(self, body: RigidBody) -> BodyFrame:
+    def _compute_frame(self, body: RigidBody) -> BodyFrame:
         frame = self[body.parent]
         if body.at != ZERO:
             frame = _shifted(frame, frame.turned(body.at))
@@ -237,20 +239,20 @@ class Frames:
     def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
         frame = _shifted(frame, _along(axis, self._q[number]))
-        velocity = plus(frame.velocity, _along(axis, self._v[number]))
+        velocity = add_triples(frame.velocity, _along(axis, self._v[number]))
         bias = frame.bias
         if frame.spin is not None:
-            bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
+            bias = add_triples(bias, scale_triple(2.0 * self._v[number], cross(frame.spin, axis)))
         steps = (*frame.steps, Step(number, axis, None))
         return BodyFrame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
 
     def _hinged(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
-        whirl = times(self._v[number], axis)
+        whirl = scale_triple(self._v[number], axis)
         if frame.spin is None:
             spin, spin_bias = whirl, frame.spin_bias
         else:
-            spin, spin_bias = plus(frame.spin, whirl), plus(frame.spin_bias, cross(frame.spin, whirl))
+            spin, spin_bias = add_triples(frame.spin, whirl), add_triples(frame.spin_bias, cross(frame.spin, whirl))
         rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
         steps = (*frame.steps, Step(number, axis, frame.origin))
         return BodyFrame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
@@ -261,13 +263,13 @@ def _along(axis: Triple, size: Number) -> Triple:
     x, y, z = axis
     if type(x) is float and type(y) is float and type(z) is float:
         return (size * x if x else 0.0, size * y if y else 0.0, size * z if z else 0.0)
-    return times(size, axis)
+    return scale_triple(size, axis)
 
 
 def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:
     """Return the frame with its origin shifted by `arm`, in the axes of the room."""
-    velocity, bias = frame.carried(arm)
-    origin = plus(frame.origin, arm)
+    velocity, bias = frame.point_motion(arm)
+    origin = add_triples(frame.origin, arm)
     return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
 
 

@@ -112,7 +112,7 @@ PLANET = 1e-3  # fraction of the mass of its star: a heavier planet would move t
 STRETCH: Span = (0.5, 1.5)  # plausible lengths of a spring, as fractions of its natural length
 
 
-def outside(value: float, span: Span) -> bool:
+def is_outside(value: float, span: Span) -> bool:
     """Return whether an absolute value lies outside a range; zero never does."""
     return value != 0.0 and not span[0] <= abs(value) <= span[1]
 
@@ -123,10 +123,10 @@ def implausible_numbers(scene: Scene) -> Iterator[str]:
         span = STATED.get((parameter.measure.name, parameter.measure.unit))
         if parameter.value is None or parameter.hidden or span is None:
             continue
-        if outside(parameter.value, span):
+        if is_outside(parameter.value, span):
             yield f"{parameter.path} is {parameter.measure.say(parameter.value)}"
     for path, body in scene.bodies.items():
-        if body.density is not None and outside(body.density, DENSITIES[body.matter]):
+        if body.density is not None and is_outside(body.density, DENSITIES[body.matter]):
             yield f"{path} has a density of {body.density:.3g} kg/m\N{SUPERSCRIPT THREE}"
     yield from _heavy_planets(scene.mechanism)
     yield from implausible_spring_lengths(natural_lengths(scene), scene.mechanism, _lengths(scene.mechanism))

@@ -15,7 +15,7 @@ from typing import Annotated, Any, NamedTuple, Protocol
 import numpy as np
 from annotated_types import Ge, Le, Lt
 
-from sim2reason.scenes.dsl.units import coherent, parse_unit
+from sim2reason.scenes.dsl.units import parse_unit, to_coherent_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,7 +238,7 @@ class Measure:
         rounded = round(value, self.places(value))
         text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
         if "e" in text or not MIN_PLAIN_NUMBER <= abs(value) < VAST:
-            return in_powers(value, self.unit)
+            return scientific_notation(value, self.unit)
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
     def draw(self, rng: np.random.Generator, low: float, high: float) -> float:
@@ -249,9 +249,9 @@ class Measure:
 MIN_PLAIN_NUMBER, VAST = 1e-5, 1e7  # smaller or larger numbers are written with a power of ten
 
 
-def in_powers(value: float, unit: str) -> str:
+def scientific_notation(value: float, unit: str) -> str:
     """Write a nonzero number in scientific notation, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
-    bare, size = coherent(unit)
+    bare, size = to_coherent_unit(unit)
     sign, digits, _ = (scaled := (Decimal(repr(value)) * size).normalize()).as_tuple()
     first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
     text = f"{'-' * sign}{first}.{rest} \N{MULTIPLICATION SIGN} 10^{scaled.adjusted()}"

@@ -7,7 +7,7 @@ reader, z up. All numbers are in one coherent system of units, SI unless `units`
 from math import inf
 from typing import ClassVar, Literal
 
-from sim2reason.base.records import Memo, cached_property, counted, record
+from sim2reason.base.records import Memo, cached_property, format_count, record
 from sim2reason.scenes.dsl.fields import Law
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.scenes.dsl.vectors import Region, Tensor, Vector
@@ -82,7 +82,7 @@ class Site:
 
 
 @record(slots=True)
-class Wheel:
+class WheelCoupling:
     """The rotation of a massive pulley by a line, whose free length changes by `radius` times the angle."""
 
     coordinate: str
@@ -158,7 +158,7 @@ class Line:
     name: str
     whole: str
     through: tuple[str, ...]  # site names, from end to end
-    wheels: tuple[Wheel, ...] = ()
+    wheels: tuple[WheelCoupling, ...] = ()
     law: LineLaw = Inextensible()
     circle: tuple[str, str] | None = None  # the bodies joined by a line along a circle, counter-clockwise
 
@@ -278,10 +278,10 @@ class Mechanism(Memo):
 
     def __repr__(self) -> str:
         """Return the numbers of bodies, coordinates, lines and so on; kinds without members are left out."""
-        numbers = [counted(len(self.bodies), "body", "bodies"), counted(len(self.coordinates), "coordinate")]
+        numbers = [format_count(len(self.bodies), "body", "bodies"), format_count(len(self.coordinates), "coordinate")]
         for noun in ("line", "face", "force", "attraction", "burn", "meeting"):
             number = len(getattr(self, f"{noun}s"))
-            numbers.extend([counted(number, noun)] if number else [])
+            numbers.extend([format_count(number, noun)] if number else [])
         return f"<Mechanism: {', '.join(numbers)}>"
 
     def __str__(self) -> str:

@@ -5,14 +5,14 @@ from typing import Any, Self, cast
 
 from pydantic import SerializeAsAny, model_validator
 
-from sim2reason.base.records import abridged, cached_property, counted
+from sim2reason.base.records import abridge, cached_property, format_count
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.addresses import idle_fields, lookup, with_values, without_idle_fields
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection, Joint, Link
-from sim2reason.scenes.dsl.defaults import horizon, placed, within_oscillations
-from sim2reason.scenes.dsl.entity import Entity, Name, Named, Part, inside, outer_ports, stops_of
+from sim2reason.scenes.dsl.defaults import horizon, place_entities, within_oscillations
+from sim2reason.scenes.dsl.entity import Entity, Name, Named, Part, internal_connections, outer_ports, port_stops
 from sim2reason.scenes.dsl.measures import Gravity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.scenes.dsl.model import Model, Parameter, parameters, replace_validated
@@ -181,8 +181,8 @@ class Scene(Model):
         """Return all connections by address, including those within entities."""
         all_joints: list[Joint] = []
         for named in self.entities:
-            for name, inner in inside(type(named.entity)).items():
-                stops = [stop for port in inner.stops for stop in stops_of(named.entity, port, named.name)]
+            for name, inner in internal_connections(type(named.entity)).items():
+                stops = [stop for port in inner.stops for stop in port_stops(named.entity, port, named.name)]
                 all_joints.append(Joint(f"{named.name}.{name}", inner.made(), tuple(travelled(stops))))
         for number, connection in enumerate(self.connections, start=1):
             all_joints.append(
@@ -195,7 +195,7 @@ class Scene(Model):
         """Return the builder that contains all parts, from which the positions of sites can be read."""
         builder = Builder((0.0, 0.0, -self.world.gravity), self.glued, self.units)
         paths = [(connection, self.joints[name].stops) for name, connection in self._named_connections().items()]
-        placed(self.entities, paths, builder)
+        place_entities(self.entities, paths, builder)
         for joint in self.joints.values():
             joint.build(builder)
         return builder
@@ -271,8 +271,8 @@ class Scene(Model):
     def __repr__(self) -> str:
         """Return the name, the entities with their types and the number of connections on one line."""
         entities = ", ".join(f"{named.name} {type(named.entity).__name__}" for named in self.entities)
-        joined = f"; {counted(len(self.connections), 'connection')}" if self.connections else ""
-        return f"<Scene {self.name!r}: {abridged(f'{entities}{joined}', 140)}>"
+        joined = f"; {format_count(len(self.connections), 'connection')}" if self.connections else ""
+        return f"<Scene {self.name!r}: {abridge(f'{entities}{joined}', 140)}>"
 
     def __str__(self) -> str:
         """Return a line for each entity with its numbers, for each connection, and for the world."""
@@ -393,7 +393,7 @@ def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
     """Return the stops of a path of links in the order of travel."""
     path: list[Stop] = []
     for index, link in enumerate(links):
-        stops = stops_of(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)
+        stops = port_stops(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)
         last = index == len(links) - 1
         path.extend(reversed_stops(stops) if last and index > 0 else stops)
     return path

@@ -84,7 +84,7 @@ def axes_along(axis: Vector) -> Axes:
     return (outer(across, axis), across, axis)
 
 
-def composed(axes: Axes, then: Axes) -> Axes:
+def compose_axes(axes: Axes, then: Axes) -> Axes:
     """Return the orientation after two successive rotations."""
     x, y, z = (add(*(scale(part, image) for part, image in zip(axis, then, strict=True))) for axis in axes)
     return (x, y, z)
@@ -96,7 +96,7 @@ def transposed(axes: Axes) -> Axes:
     return (x, y, z)
 
 
-def seen(direction: Vector, axes: Axes) -> Vector:
+def in_own_axes(direction: Vector, axes: Axes) -> Vector:
     """Return the components of a direction along the given axes, those of a rotated body."""
     return (inner(direction, axes[0]), inner(direction, axes[1]), inner(direction, axes[2]))
 
@@ -201,12 +201,12 @@ def lens(radius: float, other: float, distance: float) -> Solid:
     return (upper + lower).moved((0.0, 0.0, plane))
 
 
-SMALL = Le(1e2)
-Radius = Annotated[float, LEAST, SMALL, Measure("radius", "m", "R", sought=0.3), Range(0.05, 0.15)]
-HoleRadius = Annotated[float, LEAST, SMALL, Measure("hole radius", "m", "r"), Range(0.02, 0.05)]
-HoleOffset = Annotated[float, Ge(0), SMALL, Measure("offset", "m", "d", called="distance"), Range(0.02, 0.05)]
-Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range(0.01, 0.03)]
-Extent = Annotated[float, LEAST, SMALL, Measure("height", "m", "h"), Range(0.05, 0.3)]
+MAX_SIZE = Le(1e2)
+Radius = Annotated[float, LEAST, MAX_SIZE, Measure("radius", "m", "R", sought=0.3), Range(0.05, 0.15)]
+HoleRadius = Annotated[float, LEAST, MAX_SIZE, Measure("hole radius", "m", "r"), Range(0.02, 0.05)]
+HoleOffset = Annotated[float, Ge(0), MAX_SIZE, Measure("offset", "m", "d", called="distance"), Range(0.02, 0.05)]
+Thickness = Annotated[float, LEAST, MAX_SIZE, Measure("thickness", "m", "t"), Range(0.01, 0.03)]
+Extent = Annotated[float, LEAST, MAX_SIZE, Measure("height", "m", "h"), Range(0.05, 0.3)]
 
 Overlooked = Literal["hole", "wall", "section", "height"]
 """A simplification of a shape: no hole, a thin wall, a thin rod (no section) or a thin disc (no height)."""
@@ -267,4 +267,4 @@ class Shape(Body):
         """Add the body to its carrier, with its origin at a point and the given orientation."""
         turned = self.solid.turned(axes)
         frame = carrier.body(name, self.mass, at=at, center=turned.center, inertia=turned.inertia(self.mass))
-        return frame.turned(composed(self.seen, axes))
+        return frame.turned(compose_axes(self.seen, axes))

@@ -13,7 +13,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.base.records import cached_property, counted, record
+from sim2reason.base.records import cached_property, format_count, record
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.frames import BodyFrame, Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import (
@@ -31,7 +31,7 @@ from sim2reason.scenes.dsl.mechanism import (
     Site,
     SurfaceContact,
 )
-from sim2reason.scenes.dsl.vectors import Tensor, Triple, dot, minus
+from sim2reason.scenes.dsl.vectors import Tensor, Triple, dot, subtract_triples
 
 Array = NDArray[np.float64]
 
@@ -77,9 +77,9 @@ class State:
 
     def __repr__(self) -> str:
         """Return the number of coordinates and of instants, and the first and the last instant."""
-        count, unit = counted(len(self.mechanism.coordinates), "coordinate"), self.mechanism.units.time
+        count, unit = format_count(len(self.mechanism.coordinates), "coordinate"), self.mechanism.units.time
         span = f", {self.times[0]:g} to {self.times[-1]:g} {unit}" if len(self.times) else ""
-        return f"<State: {count} at {counted(len(self.times), 'instant')}{span}>"
+        return f"<State: {count} at {format_count(len(self.times), 'instant')}{span}>"
 
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
@@ -177,8 +177,8 @@ class State:
         length, rate = np.zeros(len(self.times)), np.zeros(len(self.times))
         for first, last in pairwise(line.through):
             one, other = self.frames.site(first), self.frames.site(last)
-            separation = minus(other.place, one.place)
-            parting = minus(other.velocity, one.velocity)
+            separation = subtract_triples(other.place, one.place)
+            parting = subtract_triples(other.velocity, one.velocity)
             distance = np.sqrt(dot(separation, separation)) + length * 0.0
             length = length + distance
             rate = rate + dot(separation, parting) / np.where(distance > 0.0, distance, 1.0)
@@ -196,7 +196,7 @@ class State:
 LENGTH_TOL = 1e-9  # m; smaller differences count as zero
 
 
-def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
+def displace(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
     """Return the mechanism with other initial `coordinates` (n,), m or rad, and `speeds` (n,).
 
     The laws do not change: strings and springs keep their lengths. Time and its functions restart at 0.
@@ -233,7 +233,7 @@ class _Displaced:
         frame, carrier = self.frames[body.name], self.frames[body.parent]
         return replace(
             body,
-            at=minus(frame.origin, carrier.origin),
+            at=subtract_triples(frame.origin, carrier.origin),
             center=body.center if body.center is ZERO else frame.turned(body.center),
             inertia=_turned(frame, body.inertia),
             coordinates=tuple(self._coordinate(coordinate, frame) for coordinate in body.coordinates),
@@ -298,10 +298,10 @@ def _turned(frame: BodyFrame, inertia: Tensor) -> Tensor:
 
 
 ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
-TOUCHING = 1e-9  # m
+CONTACT_DISTANCE = 1e-9  # m
 
 
-def check_speeds(mechanism: Mechanism) -> None:
+def check_initial_speeds(mechanism: Mechanism) -> None:
     """Raise SceneError if initial speeds change the length of a rod or make a nonslipping contact slip."""
     speeds = [float(coordinate.speed) for coordinate in mechanism.coordinates]
     never = [face for face in mechanism.faces if face.friction == inf]
@@ -333,7 +333,7 @@ def _parting(frames: Frames, first: str, last: str) -> float:
 def _check_feet(mechanism: Mechanism, frames: Frames, small: float) -> None:
     for foot in mechanism.feet:
         point = frames.site(foot.site)
-        stands = abs(dot(foot.normal, point.place) - foot.height) <= TOUCHING
+        stands = abs(dot(foot.normal, point.place) - foot.height) <= CONTACT_DISTANCE
         slip = dot(foot.along, point.velocity)
         if stands and abs(dot(foot.normal, point.velocity)) <= small < abs(slip):
             problem = f"it stands, and yet begins to slip at {slip:.6g} m/s"

@@ -21,7 +21,7 @@ from sim2reason.scenes.dsl.mechanism import (
     RigidBody,
     SurfaceContact,
 )
-from sim2reason.scenes.dsl.vectors import Point, Triple, Vector, cross, inner, minus, times
+from sim2reason.scenes.dsl.vectors import Point, Triple, Vector, cross, inner, scale_triple, subtract_triples
 
 RESIDUAL_MASS_RATIO = 1e-6  # fraction of a mass: mass of a removed body, so that no equation becomes singular
 
@@ -59,20 +59,20 @@ def remove_body(mechanism: Mechanism, name: str) -> Mechanism:
     )
 
 
-def with_bodies(mechanism: Mechanism, names: Iterable[str], change: Callable[[RigidBody], RigidBody]) -> Mechanism:
+def replace_bodies(mechanism: Mechanism, names: Iterable[str], change: Callable[[RigidBody], RigidBody]) -> Mechanism:
     """Return the mechanism with some bodies changed by a function."""
     chosen = set(names)
     bodies = tuple(change(body) if body.name in chosen else body for body in mechanism.bodies)
     return replace(mechanism, bodies=bodies)
 
 
-def with_lines(mechanism: Mechanism, names: Iterable[str], change: Callable[[Line], Line]) -> Mechanism:
+def replace_lines(mechanism: Mechanism, names: Iterable[str], change: Callable[[Line], Line]) -> Mechanism:
     """Return the mechanism with some lines changed by a function."""
     chosen = set(names)
     return replace(mechanism, lines=tuple(change(line) if line.name in chosen else line for line in mechanism.lines))
 
 
-def inertialess(body: RigidBody) -> RigidBody:
+def as_point_mass(body: RigidBody) -> RigidBody:
     """Return the body as a point mass at its centre of mass."""
     return replace(body, inertia=NO_INERTIA)
 
@@ -148,12 +148,12 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
     return ways[int((sizes > VELOCITY_TOL).sum()) :]
 
 
-def weighs(mechanism: Mechanism) -> bool:
+def is_gravity_relevant(mechanism: Mechanism) -> bool:
     """Return whether gravity affects the mechanism: a body presses on a face, or rises and falls."""
-    return mechanism.gravity != ZERO and would_weigh(mechanism)
+    return mechanism.gravity != ZERO and would_gravity_matter(mechanism)
 
 
-def would_weigh(mechanism: Mechanism) -> bool:
+def would_gravity_matter(mechanism: Mechanism) -> bool:
     """Return whether gravity, if present, would affect a mechanism, so that a text must state its absence."""
     if mechanism.contacts:
         return True
@@ -194,22 +194,22 @@ def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
     frames = initial_frames(mechanism) if frames is None else frames
     bodies = (_turning_body(mechanism, frames, body) for body in mechanism.bodies)
     turning = next((name for name in bodies if name), "")
-    return turning or next((name for line in mechanism.lines if (name := bending(line, frames))), "")
+    return turning or next((name for line in mechanism.lines if (name := rotating_line(line, frames))), "")
 
 
-def may_turn_back(mechanism: Mechanism) -> bool:
+def may_reverse(mechanism: Mechanism) -> bool:
     """Return whether a motion may reverse: by an initial speed, a collision, or a changing force."""
     sent = any(coordinate.speed for coordinate in mechanism.coordinates)
     return sent or bool(mechanism.meetings or changing(mechanism))
 
 
-def turns_one_way(mechanism: Mechanism, name: str) -> bool:
+def rotates_one_way(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body that rolls or slips on a plane never reverses its rotation, for any parameters.
 
     A body that starts from rest never does if no motion may turn back. Nor does a lone body launched with its centre
     and its rim moving in one sense, not up the slope: friction slows one and speeds up the other until they agree.
     """
-    if not may_turn_back(mechanism):
+    if not may_reverse(mechanism):
         return True
     face = mechanism.contacts.get(name)
     if face is None or mechanism.meetings or mechanism.lines or mechanism.forces or changing(mechanism):
@@ -254,7 +254,7 @@ def _parallel(one: Vector, other: Vector) -> bool:
     return hypot(*cross(one, other)) <= ALIGNED
 
 
-def bending(line: Line, frames: Frames) -> str:
+def rotating_line(line: Line, frames: Frames) -> str:
     """Return the name of a line that rotates as its sites move; empty if it does not."""
     try:
         pieces = frames.pieces(line)
@@ -262,20 +262,20 @@ def bending(line: Line, frames: Frames) -> str:
         return ""
     for run in pieces:
         for number, moved in run.moved.items():
-            if hypot(*minus(moved, times(run.along[number], run.way))) > ALIGNED:
+            if hypot(*subtract_triples(moved, scale_triple(run.along[number], run.direction))) > ALIGNED:
                 return f"{line.name} bends"
     return ""
 
 
-def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Triple | None:
+def constant_direction(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Triple | None:
     """Return the constant unit vector from one site to another; None if the direction can change."""
     run = frames.distance(first, last)
     for number, moved in run.moved.items():
         if not _moved(moved):
             continue
-        if mechanism.coordinates[number].kind == "hinge" or not _parallel(moved, run.way):
+        if mechanism.coordinates[number].kind == "hinge" or not _parallel(moved, run.direction):
             return None
-    return run.way
+    return run.direction
 
 
 def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
@@ -283,7 +283,7 @@ def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
     frames, directions = initial_frames(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
-            parts, direction = bool(frames.distance(*ends).moved), straight(mechanism, frames, *ends)
+            parts, direction = bool(frames.distance(*ends).moved), constant_direction(mechanism, frames, *ends)
         except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
             continue
         slides = any(_slides_after_a_hinge(frames[mechanism.site[site].body]) for site in ends)

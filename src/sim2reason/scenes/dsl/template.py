@@ -229,12 +229,12 @@ def assuming(*wordings: str) -> Wordings:
     return Wordings(wordings, "assumption")
 
 
-def role_of(saying: Saying) -> Role:
+def line_role(saying: Saying) -> Role:
     """Return the role of a line in a text: a fact, the start of the motion or an assumption."""
     return saying.role if isinstance(saying, Wordings) else "fact"
 
 
-def topic_of(saying: Saying) -> Topic | None:
+def line_topic(saying: Saying) -> Topic | None:
     """Return the topic of a line that only some questions need; None if all need it."""
     return saying.topic if isinstance(saying, Wordings) else None
 

@@ -25,9 +25,9 @@ __all__ = [
     "Unit",
     "UnitError",
     "UnitSystem",
-    "coherent",
     "combined",
     "parse_unit",
+    "to_coherent_unit",
 ]
 
 
@@ -206,7 +206,7 @@ def combined(text: str, further: Mapping[str, Unit]) -> Unit:
 
 
 @lru_cache(maxsize=1024)
-def coherent(text: str) -> tuple[str, Decimal]:
+def to_coherent_unit(text: str) -> tuple[str, Decimal]:
     """Return a unit without prefixes and the exact factor: ``km/s`` is 1000 ``m/s``, ``g`` is 0.001 ``kg``."""
     size, bare = Decimal(1), list[str]()
     for word, power in factors(parse_unit(text).name):

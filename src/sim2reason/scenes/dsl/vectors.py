@@ -125,22 +125,22 @@ def cross(a: Triple, b: Triple) -> Triple:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def plus(a: Triple, b: Triple) -> Triple:
+def add_triples(a: Triple, b: Triple) -> Triple:
     """Return the sum of two vectors."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
-def minus(a: Triple, b: Triple) -> Triple:
+def subtract_triples(a: Triple, b: Triple) -> Triple:
     """Return the first vector minus the second."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def times(factor: Number, a: Triple) -> Triple:
+def scale_triple(factor: Number, a: Triple) -> Triple:
     """Return a vector times a number."""
     return (factor * a[0], factor * a[1], factor * a[2])
 
 
-def applied(tensor: Tensor, vector: Triple) -> Triple:
+def apply_tensor(tensor: Tensor, vector: Triple) -> Triple:
     """Return a symmetric tensor times a vector."""
     xx, yy, zz, xy, xz, yz = tensor
     return (dot((xx, xy, xz), vector), dot((xy, yy, yz), vector), dot((xz, yz, zz), vector))
@@ -168,9 +168,9 @@ class Distance:
     value: Number  # m
     rate: Number  # m/s
     bias: Number  # second derivative at q̈ = 0, m/s²
-    way: Triple  # unit vector from the first to the second
+    direction: Triple  # unit vector from the first to the second
     moved: Gradient  # gradient of the relative position, by coordinate
-    along: Mapping[int, Number]  # its component along `way`
+    along: Mapping[int, Number]  # its component along `direction`
     lift: Mapping[int, Number]  # the same for rises from faces
 
 
@@ -180,19 +180,19 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
     `steady` is the unit vector from one to the other if it is constant: it also applies where they meet, and beyond,
     where their distance counts as negative.
     """
-    separation = x, y, z = minus(other.place, one.place)
+    separation = x, y, z = subtract_triples(other.place, one.place)
     value = maths.sqrt(x * x + y * y + z * z) if steady is None else dot(steady, separation)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
         return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
-    direction = x, y, z = times(1.0 / value, separation) if steady is None else steady
+    direction = x, y, z = scale_triple(1.0 / value, separation) if steady is None else steady
     along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
     lift = {i: dot(direction, normal) for i, normal in risen.items()} if risen else {}
     if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
         return Distance(value, 0.0, 0.0, direction, moved, along, lift)
-    parting = minus(other.velocity, one.velocity)
+    parting = subtract_triples(other.velocity, one.velocity)
     rate = dot(direction, parting)
-    bend = dot(direction, minus(other.bias, one.bias))
+    bend = dot(direction, subtract_triples(other.bias, one.bias))
     bias = bend if steady is not None else bend + (dot(parting, parting) - rate * rate) / value
     return Distance(value, rate, bias, direction, moved, along, lift)
 
@@ -211,7 +211,7 @@ def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
         elif its is None:
             difference[i] = (-mine[0], -mine[1], -mine[2])
         elif mine != its:
-            difference[i] = minus(its, mine)
+            difference[i] = subtract_triples(its, mine)
     return difference
 
 
@@ -274,9 +274,9 @@ class DiscRegion:
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distance to the border, m, positive inside."""
-        offset = minus(place, self.center)
+        offset = subtract_triples(place, self.center)
         along = dot(self.axis, offset)
-        aside = minus(offset, times(along, self.axis))
+        aside = subtract_triples(offset, scale_triple(along, self.axis))
         return (self.radius - maths.sqrt(dot(aside, aside)),)
 
     def moved(self, by: Vector) -> "DiscRegion":

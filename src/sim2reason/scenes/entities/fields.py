@@ -96,7 +96,7 @@ _WAYS = [f"{side} {axis}" for axis in AXES for side in ("positive", "negative")]
 _TURNED: Mapping[str, str] = {"increases": "decreases", "decreases": "increases"}
 
 
-def _by_way(trend: str) -> Word:
+def _trend_word(trend: str) -> Word:
     """Return the word for the trend of a field's component along an axis, given the trend along the field."""
     return Word("way", {way: trend if way.startswith("positive") else _TURNED[trend] for way in _WAYS})
 
@@ -105,15 +105,15 @@ CHANGING: dict[str, Word] = {
     "direction": Word("way", {way: f"the {way} direction" for way in _WAYS}),
     "line": Word("way", {way: f"the {way[-1]} axis" for way in _WAYS}),
     "component": Word("way", {way: f"{way[-1]} component" for way in _WAYS}),
-    "growing": _by_way("increases"),
-    "fading": _by_way("decreases"),
+    "growing": _trend_word("increases"),
+    "fading": _trend_word("decreases"),
     "changes": Word("trend", {"increases": "{growing}", "decreases": "{fading}"}),
 }
 """The words for the axis and the trend of a field's component, so that texts avoid components along negative axes.
 component, and what that does, so that no text speaks of a component in a negative direction."""
 
 
-def along(way: str) -> Vector:
+def direction_vector(way: str) -> Vector:
     """Return the unit vector of a direction given in words."""
     side, axis = way.split()
     return scale(1.0 if side == "positive" else -1.0, AXES[axis])
@@ -136,7 +136,7 @@ class UniformElectric(ElectricField):
 
     def law(self, charge: float) -> Law:
         """Return the force law F = qE."""
-        return Push(along(self.way), Profile(charge * self.strength))
+        return Push(direction_vector(self.way), Profile(charge * self.strength))
 
 
 @force_field
@@ -156,7 +156,7 @@ class UniformMagnetic(MagneticField):
 
     def law(self, charge: float) -> Law:
         """Return the force law F = q v × B."""
-        return Magnetic(along(self.way), Profile(charge * self.strength))
+        return Magnetic(direction_vector(self.way), Profile(charge * self.strength))
 
     def rate(self, charge: float, mass: float) -> float:
         """Return the cyclotron frequency |q|B/m."""
@@ -207,7 +207,7 @@ class LinearElectric(ElectricField):
 
     def law(self, charge: float) -> Law:
         """Return the force law F = q (E₀ + k s) along one direction."""
-        return Push(along(self.way), Profile(charge * self.strength, charge * self.signed, AXES[self.axis]))
+        return Push(direction_vector(self.way), Profile(charge * self.strength, charge * self.signed, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
         """Return √(qk/m), 1/s, for an oscillation, or twice that for an exponentially growing motion."""
@@ -215,7 +215,7 @@ class LinearElectric(ElectricField):
 
     def drives_back(self, charge: float) -> bool:
         """Return whether the force drives a charge, uC, towards the zero of the field."""
-        return charge * self.signed * along(self.way)["xy".index(self.axis)] < 0.0
+        return charge * self.signed * direction_vector(self.way)["xy".index(self.axis)] < 0.0
 
 
 MagneticGradient = Annotated[float, LEAST, Le(1e6), Measure("gradient", "T/m", r"\beta"), Range(0.05, 0.5)]
@@ -246,7 +246,7 @@ class LinearMagnetic(MagneticField):
     def law(self, charge: float) -> Law:
         """Return the force law F = q v × B, with B = B₀ + βs."""
         slope = self.slope if self.trend == "increases" else -self.slope
-        return Magnetic(along(self.way), Profile(charge * self.strength, charge * slope, AXES[self.axis]))
+        return Magnetic(direction_vector(self.way), Profile(charge * self.strength, charge * slope, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
         """Return the cyclotron frequency at the origin, rad/s."""

@@ -34,7 +34,7 @@ from sim2reason.scenes.authoring import (
 )
 from sim2reason.scenes.bodies.blocks import Carriage
 from sim2reason.scenes.bodies.oscillators import Arm, Ball, Cord, LightRod, UniformRod
-from sim2reason.scenes.dsl.solids import Axes, composed
+from sim2reason.scenes.dsl.solids import Axes, compose_axes
 from sim2reason.scenes.dsl.template import Saying
 from sim2reason.scenes.entities.pieces import AnyPiece, TiltedPiece, WeldedPiece, overlap
 
@@ -52,7 +52,7 @@ SENT_OFF = starting(
 PENDULUM_PERIODS = 1.5  # periods of a small oscillation in the default duration
 
 
-def swings(length: float, gravity: float) -> float | None:
+def pendulum_duration(length: float, gravity: float) -> float | None:
     """Return the default duration for a bob that swings at a distance `length`, m, from a fixed point, s.
 
     None if `gravity`, in m/s², is zero, since nothing swings then.
@@ -140,7 +140,7 @@ class WeldedArm(Entity):
         arm = room.body("arm").hinge(Y, sense * (self.rate or 0.0))
         turned: Axes = (along, Y, across)
         for number, piece in enumerate(self.pieces):
-            axes = composed(piece.axes, turned)
+            axes = compose_axes(piece.axes, turned)
             piece.shape.put(arm, f"pieces.{number}.body", scale(piece.place, along), axes)
         if self.reach is not None:
             arm.site("tip", at=scale(self.reach, along))
@@ -183,7 +183,7 @@ class LightRodPendulum(Entity):
 
     def horizon(self, gravity: float) -> float | None:
         """Return the time of a few oscillations about a fixed point, s."""
-        return swings(self.rod.length, gravity)
+        return pendulum_duration(self.rod.length, gravity)
 
     def build(self, room: Frame) -> None:
         """Build the ball on an arm about the hinge; a right-handed rotation about y is clockwise for the reader."""
@@ -223,7 +223,7 @@ class Pendulum(Entity):
 
     def horizon(self, gravity: float) -> float | None:
         """Return the time of a few oscillations, s."""
-        return swings(self.hanger.length, gravity)
+        return pendulum_duration(self.hanger.length, gravity)
 
     @property
     def tells_taut(self) -> bool:

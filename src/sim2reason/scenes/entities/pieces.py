@@ -21,7 +21,7 @@ from sim2reason.scenes.bodies.eccentric_bodies import (
 )
 from sim2reason.scenes.bodies.oscillators import Bar, FixedBall, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
-from sim2reason.scenes.dsl.solids import Axes, Shape, axes_along, seen
+from sim2reason.scenes.dsl.solids import Axes, Shape, axes_along, in_own_axes
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", sought=0.5), Range(0.15, 1.2)]
 Side = Literal[
@@ -32,8 +32,8 @@ Side = Literal[
     "on the opposite side from the first body",
 ]
 FIRST: Side = "from the axle"
-SAME: Side = "on the same side"
-OTHER: Side = "on the other side"
+SAME_SIDE: Side = "on the same side"
+OTHER_SIDE: Side = "on the other side"
 LIKE_FIRST: Side = "on the same side as the first body"
 UNLIKE_FIRST: Side = "on the opposite side from the first body"
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
@@ -64,7 +64,7 @@ class WeldedPiece(Part):
     @property
     def place(self) -> float:
         """Return the position along the arm, m; negative on the other side of the axle."""
-        return -self.distance if self.side in (OTHER, UNLIKE_FIRST) else self.distance
+        return -self.distance if self.side in (OTHER_SIDE, UNLIKE_FIRST) else self.distance
 
     def told_after(self, earlier: Sequence["WeldedPiece"]) -> Self:
         """Return the piece with words for its side that are unambiguous after the `earlier` pieces."""
@@ -72,13 +72,13 @@ class WeldedPiece(Part):
         if any(piece.place < 0.0 for piece in earlier):
             side = UNLIKE_FIRST if opposite else LIKE_FIRST
         else:
-            side = OTHER if opposite else SAME if earlier else FIRST
+            side = OTHER_SIDE if opposite else SAME_SIDE if earlier else FIRST
         return self.model_copy(update={"side": side})
 
     @property
     def span(self) -> tuple[float, float]:
         """Return the least and greatest position along the arm, m."""
-        ahead, behind = seen(X, self.axes), seen(scale(-1.0, X), self.axes)
+        ahead, behind = in_own_axes(X, self.axes), in_own_axes(scale(-1.0, X), self.axes)
         return self.place - self.shape.reach(behind), self.place + self.shape.reach(ahead)
 
     def outwards(self, *, away: bool) -> Axes:

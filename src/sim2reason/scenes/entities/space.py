@@ -44,7 +44,7 @@ from sim2reason.scenes.dsl.units import ASTRONOMICAL, UnitSystem
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u", sought=2.0), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
 THRUST = Range(0.8, 4.0)  # in initial weights: below 1 the rocket waits until it is light enough
-AWAY = Range(1.2, 2.5)  # in initial weights, for a rocket that travels far from a planet
+ESCAPING_THRUST = Range(1.2, 2.5)  # in initial weights, for a rocket that travels far from a planet
 ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in escape speeds
 BURNS = 3.0  # burning times in the default duration
 
@@ -79,7 +79,7 @@ class RocketEntity(Entity):
             return {}
         g, times = GRAVITY, THRUST
         if isinstance(place, AirlessPlanet):
-            times = AWAY
+            times = ESCAPING_THRUST
             g, escape = place.gravity, sqrt(2.0 * place.gravity * place.radius / KILO)
             exhaust = round_as_stated(RocketEntity, "exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
         thrust = rng.uniform(times.low, times.high) * drawn["rocket"].mass * g
@@ -125,7 +125,7 @@ class RocketEntity(Entity):
             rocket.attract(planet, GRAVITATION)
 
 
-LIGHT = 1e-6  # solar masses, of a planet whose mass is not stated and has no effect
+NEGLIGIBLE_MASS = 1e-6  # solar masses, of a planet whose mass is not stated and has no effect
 INNERMOST = Range(0.3, 0.7)  # au, first perihelion
 ORBIT_SPACING, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # perihelion over the previous aphelion; for heavy ones
 RATIO = Range(2e-4, 1e-3)  # mass of a heavy planet over that of its star
@@ -207,7 +207,7 @@ class SolarSystem(Entity):
         star = room.body("star", self.star.mass)
         frames: list[Frame] = []
         for index, planet in enumerate(self.planets):
-            mass = planet.mass if isinstance(planet, HeavyPlanet) else LIGHT
+            mass = planet.mass if isinstance(planet, HeavyPlanet) else NEGLIGIBLE_MASS
             frame = room.body(f"planets.{index}", mass, at=(planet.x, planet.y, 0.0))
             frame.slide(X, planet.vx, name="x", stated=("x", planet.x))
             frame.slide(Y, planet.vy, name="y", stated=("y", planet.y)).attract(star, G)

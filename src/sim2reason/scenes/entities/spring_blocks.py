@@ -41,7 +41,7 @@ Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decim
 Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-0.3, 0.3)]
 Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
 MIN_NAIL_DISTANCE = 0.05  # m from the block to a nail, and between nails
-LONG = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
+START_LENGTH_RATIO = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
 SHORTEST = 0.1  # m, of a drawn spring
 SWING = 0.3  # fraction of the shortest natural length: amplitude of a launch
 PERIODS = 2.0  # periods of an oscillation on all springs in parallel in the default duration
@@ -114,7 +114,7 @@ class SpringBlock(Entity):
         block, x, y = drawn["block"], drawn["x"], drawn["y"]
         springs = list[NailedSpring]()
         for spring in drawn["springs"]:
-            natural = dist((spring.x, spring.y), (x, y)) / rng.uniform(LONG.low, LONG.high)
+            natural = dist((spring.x, spring.y), (x, y)) / rng.uniform(START_LENGTH_RATIO.low, START_LENGTH_RATIO.high)
             springs.append(
                 replace_validated(spring, length=max(round_as_stated(NailedSpring, "length", natural), SHORTEST))
             )

@@ -38,7 +38,7 @@ from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 from sim2reason.scenes.entities.string_ends import two_coefficients
 
-LONG = Range(0.85, 1.15)  # initial length of a drawn spring, in natural lengths
+START_LENGTH_RATIO = Range(0.85, 1.15)  # initial length of a drawn spring, in natural lengths
 FIRM = Range(6.0, 15.0)  # stiffness times length, in weights of the block
 SHORTEST = 0.3  # m, natural length
 StartLength = Annotated[Length, Range(0.2, 1.0)]
@@ -55,7 +55,12 @@ def fitted_spring(drawn: Mapping[str, Any], rng: np.random.Generator) -> dict[st
     length = max(spring.length, SHORTEST)
     stiffness = max(spring.stiffness, rng.uniform(FIRM.low, FIRM.high) * weight / length)
     firm = replace_validated(spring, stiffness=round_as_stated(Spring, "stiffness", stiffness), length=length)
-    return {"spring": firm, "start": round_as_stated(Spring, "length", rng.uniform(LONG.low, LONG.high) * length)}
+    return {
+        "spring": firm,
+        "start": round_as_stated(
+            Spring, "length", rng.uniform(START_LENGTH_RATIO.low, START_LENGTH_RATIO.high) * length
+        ),
+    }
 
 
 class Strained(Part):

@@ -39,7 +39,7 @@ WallY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "
 Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
-TOUCHING = 1e-9  # m; smaller distances are round-off
+CONTACT_DISTANCE = 1e-9  # m; smaller distances are round-off
 SLOWEST = 0.5  # m/s, least speed of a puck towards another
 PASSES, SHORTEST, MAX_DURATION = (
     4.0,
@@ -149,11 +149,12 @@ class TwoDCollisionPlane(Entity):
         if len({(pair.first, pair.second) for pair in self.pairs}) < len(self.pairs):
             raise ValueError("pairs: two entries name the same pair")
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
-            if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - TOUCHING:
+            if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - CONTACT_DISTANCE:
                 raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by two radii or more")
         for axis, side, position in self._walls:
             if any(
-                side * (position - (puck.x if axis == "x" else puck.y)) < self.radius - TOUCHING for puck in self.pucks
+                side * (position - (puck.x if axis == "x" else puck.y)) < self.radius - CONTACT_DISTANCE
+                for puck in self.pucks
             ):
                 name = WALLS[axis, side]
                 raise ValueError(f"{name}: a puck is in the wall or beyond it; move it a radius or more into the table")

@@ -8,7 +8,7 @@ from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.scenes.authoring import LEAST, Law, Measure, Profile, Push, Range, Usually, Vector, add, either
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, cross, dot, minus, times
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, cross, dot, scale_triple, subtract_triples
 from sim2reason.scenes.entities.fields import (
     CHANGING,
     Direction,
@@ -17,7 +17,7 @@ from sim2reason.scenes.entities.fields import (
     ElectricStrength,
     MagneticField,
     Trend,
-    along,
+    direction_vector,
     force_field,
 )
 
@@ -36,9 +36,9 @@ class DipoleForce:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force, which is perpendicular to velocity and field and does no work."""
         del time
-        separation = minus(place, self.center)
+        separation = subtract_triples(place, self.center)
         square = dot(separation, separation)
-        return times(self.strength / (square * maths.sqrt(square)), cross(velocity, self.direction))
+        return scale_triple(self.strength / (square * maths.sqrt(square)), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return 0, since the force does no work."""
@@ -80,7 +80,7 @@ class DipoleMagnetic(MagneticField):
 
     def law(self, charge: float) -> Law:
         """Return the force law F = q v × B, with B = b/r³."""
-        return DipoleForce((self.x, self.y, 0.0), along(self.way), charge * self.strength)
+        return DipoleForce((self.x, self.y, 0.0), direction_vector(self.way), charge * self.strength)
 
     def rate(self, charge: float, mass: float) -> float:
         """Return the cyclotron frequency at the origin."""
@@ -114,7 +114,7 @@ class GrowingElectric(ElectricField):
     def law(self, charge: float) -> Law:
         """Return the force law F = q (E₀ + rt)."""
         growth = self.growth if self.trend == "increases" else -self.growth
-        return Push(along(self.way), Profile(charge * self.strength, rate=charge * growth))
+        return Push(direction_vector(self.way), Profile(charge * self.strength, rate=charge * growth))
 
     def rate(self, charge: float, mass: float) -> float:
         """Return twice the relative growth rate of the initial strength, 1/s."""
@@ -151,7 +151,7 @@ class OscillatingElectric(ElectricField):
     def law(self, charge: float) -> Law:
         """Return the law of the force on a charge, F = q E₀ cos(ωt + φ)."""
         phase = radians(self.phase or 0.0)
-        return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
+        return Push(direction_vector(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
 
     def rate(self, charge: float, mass: float) -> float:
         """Return the angular frequency of the field, rad/s."""

@@ -1,20 +1,20 @@
 """Scene files: strict YAML, its JSON schema, and the page that documents the format."""
 
-from sim2reason.scenes.files.mapping import GivenScene, SceneLike, dump, given_scene, load, loads, scene_of, to_plain
-from sim2reason.scenes.files.sections import Wording, question_of, wording_of
-from sim2reason.scenes.files.validation import decoded
+from sim2reason.scenes.files.mapping import GivenScene, SceneLike, as_scene, dump, given_scene, load, loads, to_plain
+from sim2reason.scenes.files.sections import Wording, read_question, read_wording
+from sim2reason.scenes.files.validation import decode_file
 
 __all__ = [
     "GivenScene",
     "SceneLike",
     "Wording",
-    "decoded",
+    "as_scene",
+    "decode_file",
     "dump",
     "given_scene",
     "load",
     "loads",
-    "question_of",
-    "scene_of",
+    "read_question",
+    "read_wording",
     "to_plain",
-    "wording_of",
 ]

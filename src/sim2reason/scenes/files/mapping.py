@@ -17,8 +17,8 @@ from typing import Any, NamedTuple, NoReturn, Protocol, TypeVar, runtime_checkab
 
 from pydantic import ValidationError
 
-from sim2reason.base.registry import nearest
-from sim2reason.base.yaml_text import Plain, parse, shown, write
+from sim2reason.base.registry import similar_names
+from sim2reason.base.yaml_text import Plain, parse, quote_value, write
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Model, field_types
@@ -28,18 +28,18 @@ from sim2reason.scenes.files.sections import (
     Wording,
     own_values,
     pairs_to_plain,
-    parts_from,
+    parse_question,
+    parse_wording,
     paths,
     read_pair,
-    wording_from,
 )
 from sim2reason.scenes.files.validation import (
+    add_line_number,
     canonical_parameters,
     check_position,
     explain_error,
     plain_name,
     source_text,
-    with_line,
 )
 
 M = TypeVar("M", bound=Model)
@@ -84,7 +84,7 @@ def loads(text: str) -> Scene:
     try:
         return _scene(data)
     except SceneError as error:
-        raise SceneError(with_line(error.place, text), error.problem, error.remedy) from None
+        raise SceneError(add_line_number(error.place, text), error.problem, error.remedy) from None
 
 
 def dump(scene: Scene, wording: Wording | None = None) -> str:
@@ -115,7 +115,7 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
         <BLANKLINE>
     """
     classes = {named.name: type(named.entity) for named in scene.entities}
-    entities: list[Plain] = [_told_entity(named) for named in scene.entities]
+    entities: list[Plain] = [_entity_to_plain(named) for named in scene.entities]
     connections: list[Plain] = []
     for connection in scene.connections:
         first, *others = pairs_to_plain(connection, classes)
@@ -132,7 +132,7 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
     return write({"scene": body, **text})
 
 
-def _told_entity(named: Named) -> dict[str, Plain]:
+def _entity_to_plain(named: Named) -> dict[str, Plain]:
     entry: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
     parameters = to_plain(named.entity)
     return entry | ({"parameters": parameters} if parameters else {})
@@ -175,7 +175,7 @@ def _scene(data: Plain) -> Scene:
     if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
         _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
     top = _mapping(data, "scene", ("scene", "text", "question"), root=True)
-    _ = wording_from(top.get("text", {})), parts_from(top.get("question", {}))
+    _ = parse_wording(top.get("text", {})), parse_question(top.get("question", {}))
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)
@@ -205,7 +205,7 @@ def _entity(entry: Plain, location: str) -> Named:
     fields = _mapping(entry, location, ENTITY_KEYS)
     for key in ("name", "type"):
         if not isinstance(fields.get(key), str):
-            problem = f"it is {shown(fields[key])}, not a word" if key in fields else "it is missing"
+            problem = f"it is {quote_value(fields[key])}, not a word" if key in fields else "it is missing"
             raise SceneError(f"{location}.{key}", problem, "give each entity a name and a type")
     cls = _class(str(fields["type"]), f"{location}.type")
     if "position" in fields:
@@ -238,9 +238,9 @@ def _types() -> dict[str, type[Entity]]:
 def _class(name: str, location: str) -> type[Entity]:
     known = _types()
     if name not in known:
-        near = nearest(name, known)
+        near = similar_names(name, known)
         remedy = f"did you mean: {', '.join(near)}" if near else "run: sim2reason list entities"
-        raise SceneError(location, f"there is no type {shown(name)}", remedy)
+        raise SceneError(location, f"there is no type {quote_value(name)}", remedy)
     return known[name]
 
 
@@ -257,23 +257,25 @@ def _made(cls: type[M], data: Plain, location: str, given: dict[str, object] | N
 
 def _value(slot: _Slot, data: Plain, location: str) -> object:
     if not slot.many:
-        return _one(slot, data, location)
+        return _parse_one(slot, data, location)
     if not isinstance(data, list):
-        raise SceneError(location, f"it is {shown(data)}, not a list", "begin each member with a dash, or write [ ]")
-    return tuple(_one(slot, member, f"{location}[{index}]") for index, member in enumerate(data))
+        raise SceneError(
+            location, f"it is {quote_value(data)}, not a list", "begin each member with a dash, or write [ ]"
+        )
+    return tuple(_parse_one(slot, member, f"{location}[{index}]") for index, member in enumerate(data))
 
 
-def _one(slot: _Slot, data: Plain, location: str) -> object:
+def _parse_one(slot: _Slot, data: Plain, location: str) -> object:
     if not slot.models or (data is None and slot.optional):
         return data
     if len(slot.models) == 1:
         return _made(next(iter(slot.models.values())), data, location)
     kinds = ", ".join(slot.models)
     if not isinstance(data, dict):
-        raise SceneError(location, f"it is {shown(data)}, not a mapping", f"write it with a kind: {kinds}")
+        raise SceneError(location, f"it is {quote_value(data)}, not a mapping", f"write it with a kind: {kinds}")
     kind = data.get("kind")
     if not isinstance(kind, str) or kind not in slot.models:
-        problem = f"there is no kind {shown(kind)}" if "kind" in data else "it does not say its kind"
+        problem = f"there is no kind {quote_value(kind)}" if "kind" in data else "it does not say its kind"
         raise SceneError(f"{location}.kind", problem, f"give it one of: {kinds}")
     rest = {key: value for key, value in data.items() if key != "kind"}
     return _made(slot.models[kind], rest, location)
@@ -283,7 +285,7 @@ def _mapping(data: Plain, location: str, keys: tuple[str, ...], *, root: bool = 
     """Return `data` if it is a mapping with known keys alone; raise SceneError otherwise."""
     listed = ", ".join(keys) or "none"
     if not isinstance(data, dict):
-        problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
+        problem = "it is missing" if data is None else f"it is {quote_value(data)}, not a mapping"
         raise SceneError(location, problem, f"give it these keys: {listed}")
     for key in data:
         if key not in keys:
@@ -299,14 +301,16 @@ def _refuse_key(location: str, remedy: str) -> NoReturn:
 def _list(body: dict[str, Plain], key: str) -> list[Plain]:
     data = body.get(key, [])
     if not isinstance(data, list):
-        raise SceneError(f"scene.{key}", f"it is {shown(data)}, not a list", "begin each member with a dash")
+        raise SceneError(f"scene.{key}", f"it is {quote_value(data)}, not a list", "begin each member with a dash")
     return data
 
 
 def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
     for index, address in enumerate(_list(body, "glued")):
         if not isinstance(address, str):
-            raise SceneError(f"scene.glued[{index}]", f"it is {shown(address)}, not an address", "write: ramp.blocks.0")
+            raise SceneError(
+                f"scene.glued[{index}]", f"it is {quote_value(address)}, not an address", "write: ramp.blocks.0"
+            )
     return tuple(map(str, _list(body, "glued")))
 
 
@@ -369,6 +373,6 @@ def given_scene(source: SceneLike, function: str) -> GivenScene:
     )
 
 
-def scene_of(source: SceneLike, function: str) -> Scene:
+def as_scene(source: SceneLike, function: str) -> Scene:
     """Return the scene passed to the public `function`; errors as in `given_scene`."""
     return source if isinstance(source, Scene) else given_scene(source, function).scene

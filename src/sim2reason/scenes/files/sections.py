@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, cast, get_args
 
-from sim2reason.base.registry import nearest
-from sim2reason.base.yaml_text import Plain, parse, shown
+from sim2reason.base.registry import similar_names
+from sim2reason.base.yaml_text import Plain, parse, quote_value
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.scenes.dsl.entity import Entity, outer_ports
@@ -125,14 +125,16 @@ def _end(end: Plain, location: str, classes: Mapping[str, type[Entity]]) -> File
     direction = _text(end, "direction", location)
     point = _text(end, "connecting_point", location) if "connecting_point" in end else ""
     if entity not in classes:
-        near = nearest(entity, classes) or list(classes)
-        raise SceneError(f"{location}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
+        near = similar_names(entity, classes) or list(classes)
+        raise SceneError(
+            f"{location}.entity", f"no entity is called {quote_value(entity)}", f"there are: {', '.join(near)}"
+        )
     known = directions(classes[entity])
     direction, point = _named(direction, point, known)
     if (direction, point) not in known:
         short = [name for name, side in known if not side]
         names = ", ".join(short or [f"{name} with connecting_point {side}" for name, side in known])
-        spelling = shown(direction) + (f" with connecting_point {shown(point)}" if point else "")
+        spelling = quote_value(direction) + (f" with connecting_point {quote_value(point)}" if point else "")
         kind = classes[entity].__name__
         raise SceneError(f"{location}.direction", f"{kind} has no direction {spelling}", f"it has: {names}")
     return FileEnd(entity, *known[direction, point], location)
@@ -149,7 +151,7 @@ def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str
 def _text(end: dict[str, Plain], key: str, location: str) -> str:
     value = end.get(key)
     if not isinstance(value, str):
-        problem = f"it is {shown(value)}, not a word" if key in end else "it is missing"
+        problem = f"it is {quote_value(value)}, not a word" if key in end else "it is missing"
         raise SceneError(f"{location}.{key}", problem, "write each end as {entity: …, direction: …}")
     return value
 
@@ -275,26 +277,26 @@ class Wording:
         return mapping
 
 
-def wording_of(text: str) -> Wording | None:
+def read_wording(text: str) -> Wording | None:
     """Return the wording in a scene file; None if it has none.
 
     Raises:
         SceneError: the value is invalid; the message has path, problem and remedy.
     """
     data = parse(text)
-    return wording_from(data["text"]) if isinstance(data, dict) and "text" in data else None
+    return parse_wording(data["text"]) if isinstance(data, dict) and "text" in data else None
 
 
-def wording_from(data: Plain) -> Wording:
-    """Return the wording from the value of the key ``text``; errors as in `wording_of`."""
+def parse_wording(data: Plain) -> Wording:
+    """Return the wording from the value of the key ``text``; errors as in `read_wording`."""
     if not isinstance(data, dict):
-        raise SceneError("text", f"it is {shown(data)}, not a mapping", f"give it these keys: {', '.join(KEYS)}")
+        raise SceneError("text", f"it is {quote_value(data)}, not a mapping", f"give it these keys: {', '.join(KEYS)}")
     for key in data:
         if key not in KEYS:
             raise SceneError(f"text.{key}", "there is no such key here", f"keys: {', '.join(KEYS)}")
     seed, topics = data.get("wording", 0), get_args(Topic)
     if not isinstance(seed, int) or isinstance(seed, bool) or not 0 <= seed <= LARGEST:
-        raise SceneError("text.wording", f"it is {shown(seed)}", "give a whole number of at least 0")
+        raise SceneError("text.wording", f"it is {quote_value(seed)}", "give a whole number of at least 0")
     without = _words(data.get("without", []), "text.without")
     if unknown := next((word for word in without if word not in topics), ""):
         raise SceneError("text.without", f"there is no topic {unknown!r}", f"there are: {', '.join(topics)}")
@@ -303,23 +305,25 @@ def wording_from(data: Plain) -> Wording:
 
 def _words(data: Plain, location: str) -> tuple[str, ...]:
     if not isinstance(data, Sequence) or isinstance(data, str) or not all(isinstance(word, str) for word in data):
-        raise SceneError(location, f"it is {shown(data)}, not a list of words", "give a list, perhaps an empty one")
+        raise SceneError(
+            location, f"it is {quote_value(data)}, not a list of words", "give a list, perhaps an empty one"
+        )
     return tuple(cast("Sequence[str]", data))
 
 
-def question_of(text: str) -> dict[str, Plain] | str | None:
+def read_question(text: str) -> dict[str, Plain] | str | None:
     """Return the question under a scene file's key ``question``, a sentence or its parts; None without this key.
 
     Raises:
         SceneError: the question is neither a sentence nor a mapping.
     """
     data = parse(text)
-    return parts_from(data["question"]) if isinstance(data, dict) and "question" in data else None
+    return parse_question(data["question"]) if isinstance(data, dict) and "question" in data else None
 
 
-def parts_from(data: Plain) -> dict[str, Plain] | str:
+def parse_question(data: Plain) -> dict[str, Plain] | str:
     """Return the value of the key ``question``; SceneError unless it is a sentence or a mapping, with any keys."""
     if not isinstance(data, dict | str) or data == "":
         remedy = "ask in a sentence, or give it parts, such as find, of and when"
-        raise SceneError("question", f"it is {shown(data)}, neither a sentence nor a mapping", remedy)
+        raise SceneError("question", f"it is {quote_value(data)}, neither a sentence nor a mapping", remedy)
     return data

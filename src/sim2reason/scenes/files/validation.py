@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sim2reason.base.yaml_text import MAX_BYTES, Lines, Plain, parse, shown
+from sim2reason.base.yaml_text import MAX_BYTES, Lines, Plain, parse, quote_value
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.model import Model, field_types
@@ -23,10 +23,10 @@ def source_text(source: str | Path) -> str:
     if isinstance(source, str) and not _PATH.fullmatch(source):
         return source
     with Path(source).open("rb") as file:
-        return decoded(file.read(MAX_BYTES + 1))
+        return decode_file(file.read(MAX_BYTES + 1))
 
 
-def decoded(data: bytes) -> str:
+def decode_file(data: bytes) -> str:
     """Return the text of a file's bytes; raise SceneError if they are too many or not UTF-8."""
     if len(data) > MAX_BYTES:
         raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
@@ -55,7 +55,7 @@ NAMING = "give a name of at most 40 small letters, digits and _, with a letter f
 _SUBPATH = re.compile(r"([a-z_]+(?:\.[a-z0-9_]+)*): (.*)", re.DOTALL)
 
 
-def with_line(place: str, text: str) -> str:
+def add_line_number(place: str, text: str) -> str:
     """Return a path in a scene file with its line number, found by parsing the text again."""
     lines: Lines = {}
     parse(text, lines)
@@ -88,7 +88,7 @@ def _own(message: str, location: str) -> SceneError:
 def _problem(detail: ErrorDetails) -> str:
     context: dict[str, Any] = dict(detail.get("ctx", {}))
     value: Any = detail["input"]
-    label = "the list" if isinstance(value, tuple) else shown(value)
+    label = "the list" if isinstance(value, tuple) else quote_value(value)
     text = PROBLEMS.get(detail["type"])
     return text.format(input=label, **context) if text else f"{label}: {detail['msg'].lower()}"
 
@@ -132,7 +132,7 @@ def check_position(position: Plain, location: str) -> None:
     """Raise SceneError unless a position consists of three numbers, m; positions have no effect."""
     numbers = position if isinstance(position, list) else []
     if len(numbers) != 3 or not all(isinstance(n, int | float) and not isinstance(n, bool) for n in numbers):
-        raise SceneError(location, f"it is {shown(position)}, not a place", "give three numbers, as [0, 2, 0]")
+        raise SceneError(location, f"it is {quote_value(position)}, not a place", "give three numbers, as [0, 2, 0]")
 
 
 def canonical_parameters(cls: type[Entity], parameters: Plain, location: str) -> CanonicalParameters:
@@ -172,14 +172,14 @@ def _shared(value: Plain, count: int, location: str) -> list[str]:
         raise SceneError(location, f"it has {len(words)} members for {count} systems", "give one word, or one for each")
     for word in words:
         if not isinstance(word, str):
-            raise SceneError(location, f"it is {shown(word)}, not a word", f"write {HANGING}, or a kind")
+            raise SceneError(location, f"it is {quote_value(word)}, not a word", f"write {HANGING}, or a kind")
     return [str(word) for word in words]
 
 
 def _masses(value: Plain, count: int, location: str) -> list[tuple[str, list[Plain]]]:
     """Return the masses of each of `count` systems of blocks with their path in the file, from numbers or lists."""
     if not isinstance(value, list):
-        problem = "it is missing" if value is None else f"it is {shown(value)}, not a list"
+        problem = "it is missing" if value is None else f"it is {quote_value(value)}, not a list"
         raise SceneError(location, problem, "list the masses in kg, as [10] or [2.0, 3.0]")
     if count == 1:
         return [(location, value)]
@@ -200,6 +200,6 @@ def _system(models: dict[str, type[Model]], word: str, location: str) -> _System
     kind = "hanging" if word == HANGING else snake(word)
     if kind not in models:
         raise SceneError(
-            location, f"there is no type {shown(word)} here", f"give it one of: {HANGING}, {', '.join(models)}"
+            location, f"there is no type {quote_value(word)} here", f"give it one of: {HANGING}, {', '.join(models)}"
         )
     return _System({"kind": kind} if len(models) > 1 else {}, field_types(models[kind]))

@@ -97,7 +97,7 @@ class Quantity(ABC):
         cls._check("indirect", set())
         cls._check("states", {"value"})
         if "evaluate" in vars(cls):
-            cls.evaluate = staticmethod(_remembered(cls.name, cls.evaluate))  # type: ignore[method-assign]
+            cls.evaluate = staticmethod(_cached_by_state(cls.name, cls.evaluate))  # type: ignore[method-assign]
 
     @classmethod
     def _check(cls, fact: str, beside: set[str]) -> None:
@@ -151,7 +151,7 @@ class Quantity(ABC):
         return f"unit {self.unit}, symbol {self.symbol}, of {self.of.name}"
 
 
-def _remembered(name: str, evaluate: Callable[[State, str], Array]) -> Callable[[State, str], Array]:
+def _cached_by_state(name: str, evaluate: Callable[[State, str], Array]) -> Callable[[State, str], Array]:
     """Return a cached `evaluate`, computed once for each state, since several quantities share others."""
 
     @wraps(evaluate)

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, ConstantTension, MassEjection, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.forces import StringLengthRate
 from sim2reason.simulation.quantities.kinematics import AngularVelocity, Displacement, Velocity
@@ -129,8 +129,8 @@ def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
 
 def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
     """Return −G m M/((p − 1) rᵖ⁻¹) minus its initial value in J, (n,); for p = 1 the logarithm."""
-    separation = minus(state.frames.center(name).place, state.frames.center(other).place)
-    began = minus(state.began.center(name).place, state.began.center(other).place)
+    separation = subtract_triples(state.frames.center(name).place, state.frames.center(other).place)
+    began = subtract_triples(state.began.center(name).place, state.began.center(other).place)
     far, near = np.sqrt(dot(separation, separation)), float(np.sqrt(dot(began, began)))
     strength = pull.constant * state.mass(name) * state.mass(other)
     if pull.power == 1.0:

@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Acceleration
 from sim2reason.simulation.quantities.momentum import NetForce
@@ -17,9 +17,9 @@ from sim2reason.simulation.quantities.subjects.bodies import (
     Bodies,
     SuspendedBodies,
     TurningBodies,
-    carried_by,
-    chain,
-    upright,
+    ancestor_chain,
+    carried_bodies,
+    is_vertical,
 )
 from sim2reason.simulation.quantities.subjects.interactions import Contacts, Strings
 from sim2reason.simulation.quantities.subjects.rotating_parts import (
@@ -27,7 +27,7 @@ from sim2reason.simulation.quantities.subjects.rotating_parts import (
     Axles,
     Pulleys,
     Rods,
-    held_by_axle_alone,
+    is_held_by_axle_alone,
     pointer,
 )
 
@@ -58,7 +58,7 @@ class PulleyForce(SupportForce):
             for one, other in zip(line.through, line.through[1:], strict=False):
                 for rim, end in ((one, other), (other, one)):
                     if rim.rpartition(".")[0] == subject and end.rpartition(".")[0] != subject:
-                        part = minus(state.frames.site(end).place, state.frames.site(rim).place)
+                        part = subtract_triples(state.frames.site(end).place, state.frames.site(rim).place)
                         length = np.broadcast_to(np.sqrt(dot(part, part)), state.times.shape)
                         length = np.where(length > 0.0, length, np.nan)  # what has no length has no direction
                         total = total + (state.tension[line.name] / length)[:, None] * state.vector(part)
@@ -83,13 +83,13 @@ class ForceOnAxle(SupportForce):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body, alone or in a rigid body, rotates about a fixed axle without other contacts."""
-        return held_by_axle_alone(mechanism, name)
+        return is_held_by_axle_alone(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return Σ m (g − a) over all bodies that rotate together, in N, (n, 3)."""
         total = np.zeros((len(state.times), 3))
-        for body in carried_by(state.mechanism, chain(state.mechanism, subject)[-1].name):
+        for body in carried_bodies(state.mechanism, ancestor_chain(state.mechanism, subject)[-1].name):
             if body.mass:
                 total = total + body.mass * (
                     np.array(state.mechanism.gravity) - Acceleration.evaluate(state, body.name)
@@ -122,7 +122,7 @@ def _guided(mechanism: Mechanism, name: str) -> bool:
         return False
     own, carrier_coordinates = body.coordinates, carrier.coordinates
     slides = [c.kind for c in own] == ["slide"] and [c.kind for c in carrier_coordinates] == ["slide"]
-    return slides and upright(own[0].axis) and abs(carrier_coordinates[0].axis[2]) <= DIRECTION_TOL
+    return slides and is_vertical(own[0].axis) and abs(carrier_coordinates[0].axis[2]) <= DIRECTION_TOL
 
 
 FORCE = "force that the axle exerts on {body}"
@@ -240,11 +240,11 @@ class RodForce(Quantity):
         if subject in state.mechanism.line:
             return state.tension[subject]
         (top, start), (bottom, end) = pointer(state.mechanism, subject)
-        arm = minus(state.frames[bottom].point(end).place, state.frames[top].point(start).place)
+        arm = subtract_triples(state.frames[bottom].point(end).place, state.frames[top].point(start).place)
         length = np.sqrt(dot(arm, arm))
         along = state.vector(arm) / np.broadcast_to(length, state.times.shape)[:, None]
         total = np.zeros((len(state.times), 3))
-        for body in carried_by(state.mechanism, subject):
+        for body in carried_bodies(state.mechanism, subject):
             if body.mass:
                 total = total + body.mass * (
                     np.array(state.mechanism.gravity) - Acceleration.evaluate(state, body.name)
@@ -265,7 +265,7 @@ class RodPull(Quantity):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return m (g − a) along the rod in N, (n,): positive if the rod pulls."""
-        arm = minus(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
+        arm = subtract_triples(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
         along = state.vector(arm) / np.broadcast_to(np.sqrt(dot(arm, arm)), state.times.shape)[:, None]
         force = np.array(state.mechanism.gravity) - Acceleration.evaluate(state, subject)
         return state.mechanism.body[subject].mass * np.einsum("ij,ij->i", force, along)

@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import inner, minus, plus, times
+from sim2reason.scenes.dsl.vectors import add_triples, inner, scale_triple, subtract_triples
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import (
@@ -63,7 +63,7 @@ class Displacement(Quantity):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return the displacement of the centre of mass in m, (n, 3)."""
-        return state.vector(minus(state.frames.center(subject).place, state.began.center(subject).place))
+        return state.vector(subtract_triples(state.frames.center(subject).place, state.began.center(subject).place))
 
 
 def _falls_in_a_plane(mechanism: Mechanism, name: str) -> bool:
@@ -129,7 +129,7 @@ class Acceleration(Quantity):
         point = state.frames.center(subject)
         total = point.bias
         for number, jacobian_column in point.gradient.items():
-            total = plus(total, times(state.a[:, number], jacobian_column))
+            total = add_triples(total, scale_triple(state.a[:, number], jacobian_column))
         return state.vector(total)
 
 
@@ -218,7 +218,7 @@ class AngularAcceleration(Quantity):
         turning = state.frames[subject].turning
         total = turning.bias
         for number, axis in turning.gradient.items():
-            total = plus(total, times(state.a[:, number], axis))
+            total = add_triples(total, scale_triple(state.a[:, number], axis))
         return state.vector(total)
 
 
@@ -255,7 +255,7 @@ class AngleTurned(Angle):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return the sum of the angles of all hinges in degrees, (n,)."""
-        return degrees(1.0) * _turned(state, subject)
+        return degrees(1.0) * _angle_turned(state, subject)
 
 
 @quantity
@@ -279,7 +279,7 @@ class AngleRolled(Angle):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return the sum of the angles of all hinges in rad, (n,)."""
-        return _turned(state, subject)
+        return _angle_turned(state, subject)
 
 
 @quantity
@@ -294,7 +294,7 @@ class Revolutions(Angle):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return the angle of rotation divided by 2π, (n,)."""
-        return _turned(state, subject) / (2.0 * np.pi)
+        return _angle_turned(state, subject) / (2.0 * np.pi)
 
 
 def _about_one_axis(mechanism: Mechanism, name: str) -> bool:
@@ -308,7 +308,7 @@ def _rolls(mechanism: Mechanism, name: str) -> bool:
     return any(hinge in hinges for face in mechanism.faces for hinge, _ in face.slip if not face.turning)
 
 
-def _turned(state: State, subject: str) -> Array:
+def _angle_turned(state: State, subject: str) -> Array:
     """Return the angle of rotation since the start in rad, (n,)."""
     mechanism = state.mechanism
     axes = turning_axes(mechanism, subject)

@@ -4,15 +4,15 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import applied, cross, dot, minus, plus
+from sim2reason.scenes.dsl.vectors import add_triples, apply_tensor, cross, dot, subtract_triples
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Acceleration, AngularAcceleration, AngularVelocity, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import (
     Bodies,
     TurningBodies,
     WholeScene,
+    ancestor_chain,
     can_move,
-    chain,
     is_welded_part,
     turning_axes,
 )
@@ -92,7 +92,7 @@ class AngularMomentum(CentralQuantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return L = I ω with the inertia of this body alone, in kg m²/s, (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
-        return state.vector(frame.turned(applied(inertia, frame.unturned(frame.turning.velocity))))
+        return state.vector(frame.turned(apply_tensor(inertia, frame.to_body_axes(frame.turning.velocity))))
 
 
 @quantity
@@ -109,9 +109,11 @@ class Torque(CentralQuantity):
         """Return dL/dt = I α + ω × I ω (Euler) in N m, (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
         alpha, omega = AngularAcceleration.evaluate(state, subject), AngularVelocity.evaluate(state, subject)
-        own = frame.unturned((omega[:, 0], omega[:, 1], omega[:, 2]))
-        change = frame.unturned((alpha[:, 0], alpha[:, 1], alpha[:, 2]))
-        return state.vector(frame.turned(plus(applied(inertia, change), cross(own, applied(inertia, own)))))
+        own = frame.to_body_axes((omega[:, 0], omega[:, 1], omega[:, 2]))
+        change = frame.to_body_axes((alpha[:, 0], alpha[:, 1], alpha[:, 2]))
+        return state.vector(
+            frame.turned(add_triples(apply_tensor(inertia, change), cross(own, apply_tensor(inertia, own))))
+        )
 
 
 @quantity
@@ -153,7 +155,7 @@ class MomentOfInertia(CentralQuantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return n·I n in kg m², (n,), with the axis n of the innermost hinge."""
         _, axis = turning_axes(state.mechanism, subject)[0]
-        moment = dot(axis, applied(state.mechanism.body[subject].inertia, axis))
+        moment = dot(axis, apply_tensor(state.mechanism.body[subject].inertia, axis))
         return np.full(len(state.times), moment)
 
 
@@ -165,7 +167,7 @@ class InertiaTensor(CentralQuantity):
         """Return R I Rᵀ, column by column, in kg m², each (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
         axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-        return [state.vector(frame.turned(applied(inertia, frame.unturned(axis)))) for axis in axes]
+        return [state.vector(frame.turned(apply_tensor(inertia, frame.to_body_axes(axis)))) for axis in axes]
 
 
 @quantity
@@ -209,13 +211,17 @@ class AxleDistance(Quantity):
         """Return the distance of the centre of mass from the axis of the hinge in m, (n,)."""
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
-        turning = next(body for body in chain(mechanism, subject) if any(c.kind == "hinge" for c in body.coordinates))
-        arm = state.vector(minus(state.frames.center(subject).place, state.frames[turning.name].point(ZERO).place))
+        turning = next(
+            body for body in ancestor_chain(mechanism, subject) if any(c.kind == "hinge" for c in body.coordinates)
+        )
+        arm = state.vector(
+            subtract_triples(state.frames.center(subject).place, state.frames[turning.name].point(ZERO).place)
+        )
         return np.linalg.norm(np.cross(arm, np.array(axis)), axis=1)
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body has a mass and turns about one fixed hinge."""
-        return mechanism.body[name].mass > 0.0 and _on_axle(mechanism, name)
+        return mechanism.body[name].mass > 0.0 and _is_on_axle(mechanism, name)
 
 
 @quantity
@@ -231,17 +237,17 @@ class InertiaAboutAxle(CentralQuantity):
         """Return n·I n + m d² in kg m², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
-        moment = dot(axis, applied(mechanism.body[subject].inertia, axis))
+        moment = dot(axis, apply_tensor(mechanism.body[subject].inertia, axis))
         return moment + mechanism.body[subject].mass * AxleDistance.evaluate(state, subject) ** 2
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body has a mass and turns about one fixed hinge."""
-        return mechanism.body[name].mass > 0.0 and _on_axle(mechanism, name)
+        return mechanism.body[name].mass > 0.0 and _is_on_axle(mechanism, name)
 
 
-def _on_axle(mechanism: Mechanism, name: str) -> bool:
+def _is_on_axle(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body can turn about one hinge and cannot move otherwise."""
-    kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
+    kinds = [c.kind for body in ancestor_chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"]
 
 

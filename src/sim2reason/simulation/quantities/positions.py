@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Inextensible, Mechanism, X, Y
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import cross, dot, minus, unit
+from sim2reason.scenes.dsl.vectors import cross, dot, subtract_triples, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects import Sense
@@ -16,15 +16,15 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path
 from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines, pointer
 
 
-def stated_on(axis: str, mechanism: Mechanism, name: str) -> Coordinate | None:
+def stated_coordinate(axis: str, mechanism: Mechanism, name: str) -> Coordinate | None:
     """Return the coordinate of a body along an axis of the text; None if the text states no initial value."""
     coordinates = mechanism.body[name].coordinates if name in mechanism.body else ()
     return next((each for each in coordinates if each.stated is not None and each.stated[0] == axis), None)
 
 
-def _place(axis: str, state: State, name: str) -> Array:
+def _axis_position(axis: str, state: State, name: str) -> Array:
     """Return the position of a body on an axis in m, (n,): initial value plus displacement."""
-    coordinate = stated_on(axis, state.mechanism, name)
+    coordinate = stated_coordinate(axis, state.mechanism, name)
     assert coordinate is not None
     assert coordinate.stated is not None
     return np.asarray(coordinate.stated[1] + state.q[:, state.mechanism.number[coordinate.name]])
@@ -44,7 +44,7 @@ class AxisCoordinate(Quantity):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the text states where on the axis the body starts."""
-        return stated_on(self.axis, mechanism, name) is not None
+        return stated_coordinate(self.axis, mechanism, name) is not None
 
 
 @quantity
@@ -58,7 +58,7 @@ class XCoordinate(AxisCoordinate):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return x in m, (n,)."""
-        return _place("x", state, subject)
+        return _axis_position("x", state, subject)
 
 
 @quantity
@@ -72,7 +72,7 @@ class YCoordinate(AxisCoordinate):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return y in m, (n,)."""
-        return _place("y", state, subject)
+        return _axis_position("y", state, subject)
 
 
 @quantity
@@ -88,7 +88,7 @@ class OriginDistance(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return the distance in m, (n,)."""
         axes = [each.stated[0] for each in state.mechanism.body[subject].coordinates if each.stated is not None]
-        return np.linalg.norm([_place(axis, state, subject) for axis in axes], axis=0)
+        return np.linalg.norm([_axis_position(axis, state, subject) for axis in axes], axis=0)
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the text states all coordinates at the start."""
@@ -194,7 +194,7 @@ def deflection_at_start(state: State, subject: str) -> float:
 def _angle(frames: Frames, mechanism: Mechanism, subject: str) -> Array:
     """Return the angle in degrees from sine and cosine, so that small angles keep their accuracy."""
     (top, start), (bottom, end) = pointer(mechanism, subject)
-    arm = minus(frames[bottom].point(end).place, frames[top].point(start).place)
+    arm = subtract_triples(frames[bottom].point(end).place, frames[top].point(start).place)
     down = unit(mechanism.gravity)
     across = cross(down, arm)
     return degrees(1.0) * np.arctan2(np.sqrt(dot(across, across)), dot(down, arm))

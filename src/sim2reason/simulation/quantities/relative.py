@@ -8,10 +8,16 @@ import numpy as np
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import dot, minus, unit
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import CurvatureRadius, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, can_move, center_path, moves_in_plane, rides
+from sim2reason.simulation.quantities.subjects.bodies import (
+    Bodies,
+    can_move,
+    center_path,
+    moves_in_plane,
+    moves_on_slider,
+)
 from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, Pairs, RelativeBodies, members
 
 
@@ -39,7 +45,7 @@ class DistanceBetween(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return |r − r′| in m, (n,)."""
         a, b = members(subject)
-        separation = minus(state.frames.center(a).place, state.frames.center(b).place)
+        separation = subtract_triples(state.frames.center(a).place, state.frames.center(b).place)
         return np.sqrt(dot(separation, separation)) + 0.0 * state.times
 
 
@@ -93,7 +99,7 @@ class CarriedBodyQuantity(Quantity):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body slides along one line on a body that moves without turning."""
-        return rides(mechanism, name) and _slides(mechanism, name)
+        return moves_on_slider(mechanism, name) and _slides(mechanism, name)
 
 
 @quantity
@@ -144,7 +150,7 @@ def _slides(mechanism: Mechanism, name: str) -> bool:
     return [c.kind for c in mechanism.body[name].coordinates] == ["slide"] and set(kinds) == {"slide"}
 
 
-class OfFreeBody(Quantity):
+class FreeBodyQuantity(Quantity):
     """Base class of quantities of the path of a body that moves freely in a plane."""
 
     of = Bodies()
@@ -156,7 +162,7 @@ class OfFreeBody(Quantity):
 
 
 @quantity
-class SlopeOfVelocity(OfFreeBody):
+class SlopeOfVelocity(FreeBodyQuantity):
     """The angle of a projectile's velocity with the horizontal."""
 
     name, unit, symbol = "angle with the horizontal", "deg", "β"
@@ -177,7 +183,7 @@ class SlopeOfVelocity(OfFreeBody):
 
 
 @quantity
-class TurnOfVelocity(OfFreeBody):
+class TurnOfVelocity(FreeBodyQuantity):
     """The angle between the velocity of a body and its initial velocity."""
 
     name, unit, symbol = "angle of deflection", "deg", "δ"
@@ -194,7 +200,7 @@ class TurnOfVelocity(OfFreeBody):
 
 
 @quantity
-class RadiusOfPath(OfFreeBody):
+class RadiusOfPath(FreeBodyQuantity):
     """The radius of the circular path of a body in a magnetic field without other forces."""
 
     name, unit, symbol = "radius of the path", "m", "r"

@@ -14,9 +14,9 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.fractions import cancel_common_sum, reduced_quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
@@ -64,13 +64,13 @@ class PolynomialFraction:
         """Return the product; a numerator equal to a factor of the denominator cancels."""
         above, below = _short(self.above * other.above), (*self.below, *other.below)
         if above in below:
-            return PolynomialFraction(Polynomial.of(1.0), _without(below, (above,)))
+            return PolynomialFraction(Polynomial.from_expression(1.0), _without(below, (above,)))
         return PolynomialFraction(above, below)
 
     def inverted(self) -> "PolynomialFraction":
         """Return the reciprocal."""
         return PolynomialFraction(
-            _times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,)
+            _times(Polynomial.from_expression(1.0), self.below), () if self.above.number == 1.0 else (self.above,)
         )
 
 
@@ -78,7 +78,7 @@ def fraction(expression: Expression) -> PolynomialFraction:
     """Convert a formula to a single fraction; OverflowError if it has too many terms."""
     match expression:
         case Number():
-            return PolynomialFraction(Polynomial.of(expression.x))
+            return PolynomialFraction(Polynomial.from_expression(expression.x))
         case Sum():
             return reduce(add, map(fraction, expression.terms))
         case Product():
@@ -91,7 +91,7 @@ def fraction(expression: Expression) -> PolynomialFraction:
         case Power() if expression.exponent > 0:
             return reduce(mul, [fraction(expression.base)] * expression.exponent)
         case _:
-            return PolynomialFraction(Polynomial.of(expression))
+            return PolynomialFraction(Polynomial.from_expression(expression))
 
 
 def _without(polynomials: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
@@ -135,7 +135,7 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
         if root is None:
             return zero
         inside = fraction(root.inside)
-        above, below = inside.above, _times(Polynomial.of(1.0), inside.below)
+        above, below = inside.above, _times(Polynomial.from_expression(1.0), inside.below)
         even, odd = Polynomial({}), Polynomial({})  # with a power of a/b for each square of the root
         highest = max(dict(monomial).get(root, 0) for monomial in zero.terms)
         for power in range(highest + 1):
@@ -180,26 +180,26 @@ def _quadratic(
     """Yield the roots x of rest + linear · x + square · x² = 0."""
     if not square:
         if linear:
-            yield _over(rest.scaled(-1.0), linear, written)
+            yield _over(rest.scale(-1.0), linear, written)
         return
     if not linear:
-        size = Root(_over(rest.scaled(-1.0), square, written))
+        size = Root(_over(rest.scale(-1.0), square, written))
         yield from (size, -size)
         return
     shared = common_monomial([*rest.terms, *linear.terms, *square.terms])
     rest, linear, square = (divide_by_term(part, shared, 1.0) or part for part in (rest, linear, square))
     if written(square).negative:
-        rest, linear, square = (part.scaled(-1.0) for part in (rest, linear, square))
+        rest, linear, square = (part.scale(-1.0) for part in (rest, linear, square))
     if all(abs(part) == 0.5 for part in square.terms.values()):  # 2 (½ b − √…)/a is (b − √…)/a
-        rest, linear, square = (part.scaled(2.0) for part in (rest, linear, square))
+        rest, linear, square = (part.scale(2.0) for part in (rest, linear, square))
     if written is Polynomial.factored and all(
         part % 2.0 == 1.0 for part in linear.terms.values()
     ):  # for (−b + √(b² − 4 a c))/(2 a)
-        rest, linear, square = (part.scaled(2.0) for part in (rest, linear, square))
-    half = linear.scaled(0.5)
+        rest, linear, square = (part.scale(2.0) for part in (rest, linear, square))
+    half = linear.scale(0.5)
     root = Root(written(half * half - square * rest))
     for sign in (1.0, -1.0):
-        yield ratio(added(written(half.scaled(-1.0)), multiplied(Number(sign), root)), written(square))
+        yield ratio(sum_terms(written(half.scale(-1.0)), multiply_factors(Number(sign), root)), written(square))
 
 
 def _over(above: Polynomial, below: Polynomial, written: CoefficientWriter) -> Expression:
@@ -222,9 +222,9 @@ def _angles(zero: Polynomial, sine: Call, cosine: Call, written: CoefficientWrit
     if all(sum(pair) <= 1 for pair in pairs):
         yield from _linear(coefficient(zero, sine, 1), coefficient(zero, cosine, 1), rest, written)
     elif all(sum(pair) in (0, QUADRATIC) for pair in pairs):
-        first = coefficient(coefficient(zero, sine, 2), cosine, 0).scaled(0.5)
-        second = coefficient(coefficient(zero, cosine, 2), sine, 0).scaled(0.5)
-        mixed = coefficient(coefficient(zero, sine, 1), cosine, 1).scaled(0.5)
+        first = coefficient(coefficient(zero, sine, 2), cosine, 0).scale(0.5)
+        second = coefficient(coefficient(zero, cosine, 2), sine, 0).scale(0.5)
+        mixed = coefficient(coefficient(zero, sine, 1), cosine, 1).scale(0.5)
         for double in _linear(mixed, second - first, rest + first + second, written):
             yield ratio(double, Number(2.0))  # sin² = (1 − cos 2x)/2, 2 sin cos = sin 2x
 
@@ -244,17 +244,17 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Coefficient
     """Yield the roots of a sin x + b cos x + c = 0: x = arcsin(−c/√(a² + b²)) − arctan(b/a), or with π − arcsin."""
     if not a:
         if b:
-            yield Call("arccos", _over(rest.scaled(-1.0), b, written))
+            yield Call("arccos", _over(rest.scale(-1.0), b, written))
         return
     if sum(a.terms.values()) < 0.0:
-        a, b, rest = (part.scaled(-1.0) for part in (a, b, rest))
+        a, b, rest = (part.scale(-1.0) for part in (a, b, rest))
     turn: Expression = Call("arctan", _over(b, a, written)) if b else ZERO
     if not rest:
         yield -turn
         return
     for size in _sizes(a, b, written):
-        inverse = Call("arcsin", ratio(written(rest.scaled(-1.0)), size))
-        yield from (added(inverse, -turn), added(added(PI, -inverse), -turn))
+        inverse = Call("arcsin", ratio(written(rest.scale(-1.0)), size))
+        yield from (sum_terms(inverse, -turn), sum_terms(sum_terms(PI, -inverse), -turn))
 
 
 def _sizes(a: Polynomial, b: Polynomial, written: CoefficientWriter) -> Iterator[Expression]:
@@ -263,13 +263,13 @@ def _sizes(a: Polynomial, b: Polynomial, written: CoefficientWriter) -> Iterator
     if shares is not None:  # b/a is a single term, or one over it
         above, below = shares
         outer, rest = (a, above) if below.number is not None else (b, below)
-        yield multiplied(written(outer), Root(written(Polynomial.of(1.0) + rest * rest)))
+        yield multiply_factors(written(outer), Root(written(Polynomial.from_expression(1.0) + rest * rest)))
     shared = common_monomial([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
     parts = [divide_by_term(item, shared, 1.0) for item in (a, b)] if shared else []
     if parts and None not in parts:
         one, other = (part for part in parts if part is not None)
-        yield multiplied(
-            reduce(multiplied, (power_of(*item) for item in shared)), Root(written(one * one + other * other))
+        yield multiply_factors(
+            reduce(multiply_factors, (power_of(*item) for item in shared)), Root(written(one * one + other * other))
         )
     yield Root(written(a * a + b * b)) if b else written(a)
 

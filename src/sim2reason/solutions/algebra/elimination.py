@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.fractions import (
     CrossElimination,
     NumericEquation,
@@ -54,7 +54,7 @@ class Equation:
         """Return the labels of equations that were substituted into this one."""
         return frozenset[str]().union(*self.links.values())
 
-    def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
+    def linked_to(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
         """Return the equation with `links` to the labels of the equations that eliminated unknowns from its forces."""
         gone = self.told.names() - self.forces.names()
         return replace(self, links={name: labels[name] for name in gone if name in labels})
@@ -110,10 +110,10 @@ class Elimination:
             step.add_text(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
             left, right = (
-                self.book.worked(polynomial.expression()) for polynomial in split_linear(equation.zero, name)
+                self.book.defer_to_number(polynomial.expression()) for polynomial in split_linear(equation.zero, name)
             )
-            numbers = step.derived(right, multiplied(left, Symbol(name)))
-            result = step.result(Symbol(name), self.book.worked(right / left), self.units[name])
+            numbers = step.derived(right, multiply_factors(left, Symbol(name)))
+            result = step.result(Symbol(name), self.book.defer_to_number(right / left), self.units[name])
             step.add_text(f"In numbers, {numbers}, so {result}.")
         step.close()
 
@@ -148,7 +148,7 @@ class Elimination:
         integers = [round(float(w) / smallest) for w in weights]
         if any(abs(w / smallest - n) > WEIGHT_RTOL for w, n in zip(weights, integers, strict=True)):
             raise UnsolvedError("no sum of the equations is free of forces")
-        weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, integers, strict=True) if n]
+        weighted = [(e, Polynomial.from_expression(float(n))) for e, n in zip(equations, integers, strict=True) if n]
         combined = self._combined(weighted, [goal])
         if combined.zero.names() & (left - {goal}):
             raise UnsolvedError("no sum of the equations is free of forces")
@@ -194,11 +194,11 @@ class Elimination:
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Write linear equations with numerical coefficients, then eliminate the unknowns, the first unknown last."""
         numeric: list[NumericEquation] = []
-        hidden = any(self.book.is_hidden(equation.zero.without(names).expression()) for equation in equations)
+        hidden = any(self.book.is_hidden(equation.zero.terms_without(names).expression()) for equation in equations)
         how = "With numbers for the coefficients: " if hidden else "In numbers: "
         for equation in equations:
             before = {n: self._number(-equation.zero.coefficient(n).expression()) for n in names}
-            rest = self._number(equation.zero.without(names).expression())
+            rest = self._number(equation.zero.terms_without(names).expression())
             kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(self.book.labels.next(), kept, rest))
             step = self._open("solve")
@@ -213,14 +213,14 @@ class Elimination:
         """Eliminate the unknowns where the coefficients may not be written as numbers."""
         ordered: list[SymbolicEquation] = []
         for equation in equations:
-            before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
+            before = {n: equation.zero.coefficient(n).scale(-1.0) for n in names}
             left = {n: part for n, part in before.items() if part}
-            ordered.append(SymbolicEquation(equation.label, left, equation.zero.without(names)))
+            ordered.append(SymbolicEquation(equation.label, left, equation.zero.terms_without(names)))
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 
     def _number(self, formula: Expression) -> Expression:
         """Return the numerical value of a formula with guard digits; the formula itself if it has unknowns."""
-        number = self.book.worked(formula)
+        number = self.book.defer_to_number(formula)
         return replace(number, guarded=True) if isinstance(number, NumericFormula) else number
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
@@ -230,7 +230,7 @@ class Elimination:
             equation = equations[0]
             step = self._open("solve")
             step.rest_on(equation.label)
-            formula = self.book.worked(equation.right / equation.left[first])
+            formula = self.book.defer_to_number(equation.right / equation.left[first])
             step.add_text(f"So {step.result(Symbol(first), formula, self.units[first])}.")
             step.close()
             return
@@ -243,7 +243,7 @@ class Elimination:
         step.rest_on(pivot.label)
         rest = pivot.right if self.book.value(pivot.right) else ZERO
         for name, part in pivot.left.items():
-            rest = added(rest, signed_term(part, name, -1.0)) if name != last else rest
+            rest = sum_terms(rest, signed_term(part, name, -1.0)) if name != last else rest
         formula = rest / pivot.left[last]
         step.add_text(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
@@ -253,11 +253,11 @@ class Elimination:
         ratio = self._number(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
         left = {
-            name: self._number(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
+            name: self._number(equation.left.get(name, ZERO) - multiply_factors(ratio, pivot.left.get(name, ZERO)))
             for name in names
             if name != last
         }
-        right = self._number(equation.right - multiplied(ratio, pivot.right))
+        right = self._number(equation.right - multiply_factors(ratio, pivot.right))
         difference = NumericEquation(self.book.labels.next(), left, right)
         step = self._open("combine")
         step.rest_on(equation.label)
@@ -288,13 +288,13 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
     if not numbers or any(number is None for number in numbers):
         return weighted
     smallest = min((number for number in numbers if number), key=abs)
-    return [(e, weight.scaled(1.0 / smallest)) for e, weight in weighted]
+    return [(e, weight.scale(1.0 / smallest)) for e, weight in weighted]
 
 
 def split_linear(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
     """Split an equation zero = 0 into `before` · name = `rest`, with the sign that makes `before` mostly positive."""
-    before, rest = zero.coefficient(name), zero.without((name,))
-    return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
+    before, rest = zero.coefficient(name), zero.terms_without((name,))
+    return (before, rest.scale(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scale(-1.0), rest)
 
 
 def solve_linear(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:

@@ -125,19 +125,19 @@ class Expression:
 
     def __add__(self, other: "Expression | float") -> "Expression":
         """Return the sum."""
-        return added(self, as_expression(other))
+        return sum_terms(self, as_expression(other))
 
     def __sub__(self, other: "Expression | float") -> "Expression":
         """Return the difference."""
-        return added(self, -as_expression(other))
+        return sum_terms(self, -as_expression(other))
 
     def __mul__(self, other: "Expression | float") -> "Expression":
         """Return the product."""
-        return multiplied(self, as_expression(other))
+        return multiply_factors(self, as_expression(other))
 
     def __rmul__(self, other: "Expression | float") -> "Expression":
         """Return the product."""
-        return multiplied(as_expression(other), self)
+        return multiply_factors(as_expression(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
         """Return the quotient as a fraction that contains no fraction above or below."""
@@ -145,11 +145,11 @@ class Expression:
             case _, divisor if divisor == ONE or self == ZERO:
                 return self
             case _, Quotient(above, below):
-                return multiplied(self, below) / above
+                return multiply_factors(self, below) / above
             case Quotient(above, below), divisor:
-                return above / multiplied(below, divisor)
+                return above / multiply_factors(below, divisor)
             case _, (Number(x) | Product((Number(x), *_))) as divisor if (1.0 / x).is_integer() and abs(x) < 1.0:
-                return multiplied(Number(1.0 / x), self) / multiplied(Number(1.0 / x), divisor)
+                return multiply_factors(Number(1.0 / x), self) / multiply_factors(Number(1.0 / x), divisor)
             case _, divisor:
                 return Quotient(-self, -divisor) if divisor.negative else Quotient(self, divisor)
 
@@ -159,7 +159,7 @@ class Expression:
             return Sum(tuple(-term for term in self.terms))
         if isinstance(self, Quotient) and self.negative:
             return Quotient(-self.above, self.below)
-        return multiplied(MINUS_ONE, self)
+        return multiply_factors(MINUS_ONE, self)
 
 
 @record(slots=True)
@@ -220,7 +220,7 @@ class Sum(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """Return the sum of other terms."""
-        return added(*parts)
+        return sum_terms(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the sum of the values."""
@@ -250,7 +250,7 @@ class Product(Expression):
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
         """Return the product of other factors."""
-        return multiplied(*parts)
+        return multiply_factors(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the product of the values."""
@@ -322,7 +322,7 @@ def as_expression(value: "Expression | float") -> Expression:
     return value if isinstance(value, Expression) else Number(float(value))
 
 
-def added(*parts: Expression) -> Expression:
+def sum_terms(*parts: Expression) -> Expression:
     """Return the sum of formulas as one flat sum without zero terms."""
     terms = [
         term
@@ -333,7 +333,7 @@ def added(*parts: Expression) -> Expression:
     return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else ZERO
 
 
-def multiplied(*parts: Expression) -> Expression:
+def multiply_factors(*parts: Expression) -> Expression:
     """Return the product of formulas as one flat product with a single numerical factor in front."""
     number, factors = 1.0, list[Expression]()
     for side in parts:

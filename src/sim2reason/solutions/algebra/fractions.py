@@ -12,9 +12,9 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Quotient,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     parenthesized,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
@@ -28,13 +28,13 @@ def reduced_quotient(above: Polynomial, below: Polynomial, *, grouped: bool = Fa
         above, below = _cancelled(above, below)
         above, below = cancel_common_sum(above, below) or (above, below)
     if below.number is not None:
-        above = above.scaled(1.0 / below.number)
+        above = above.scale(1.0 / below.number)
         shared = _shared_number([*above.terms.values()]) if grouped else 1.0
-        return multiplied(Number(shared), above.scaled(1.0 / shared).factored())
+        return multiply_factors(Number(shared), above.scale(1.0 / shared).factored())
     if all(part < 0.0 for part in below.terms.values()):
-        above, below = above.scaled(-1.0), below.scaled(-1.0)
+        above, below = above.scale(-1.0), below.scale(-1.0)
     shared = _common_number([*above.terms.values(), *below.terms.values()])
-    above, below = above.scaled(1.0 / shared), below.scaled(1.0 / shared)
+    above, below = above.scale(1.0 / shared), below.scale(1.0 / shared)
     return Quotient(above.factored(), below.factored())
 
 
@@ -67,7 +67,7 @@ def cancel_common_sum(above: Polynomial, below: Polynomial) -> tuple[Polynomial,
                 powers[atom] = powers.get(atom, 0) - power
             ratio = Polynomial({tuple((atom, power) for atom, power in powers.items() if power): value / factor})
             if min(powers.values(), default=0) >= 0 and not ratio * part - dividend:
-                one = Polynomial.of(1.0)
+                one = Polynomial.from_expression(1.0)
                 return (ratio, one) if dividend is above else (one, ratio)
     return None
 
@@ -118,7 +118,7 @@ def determinant(rows: Rows) -> Polynomial:
     """Return the determinant by Leibniz's formula."""
     parts: list[Polynomial] = []
     for sign, order in signed_permutations(len(rows)):
-        product = Polynomial.of(sign)
+        product = Polynomial.from_expression(sign)
         for row, j in zip(rows, order, strict=True):
             product = product * row[j]
         parts.append(product)
@@ -141,15 +141,15 @@ class SymbolicEquation:
     rest: Polynomial
 
     @property
-    def turned(self) -> "SymbolicEquation":
+    def negated(self) -> "SymbolicEquation":
         """Return the equation with all signs reversed."""
-        left = {name: part.scaled(-1.0) for name, part in self.left.items()}
-        return SymbolicEquation(self.label, left, self.rest.scaled(-1.0))
+        left = {name: part.scale(-1.0) for name, part in self.left.items()}
+        return SymbolicEquation(self.label, left, self.rest.scale(-1.0))
 
     @property
     def sides(self) -> tuple[Expression, Expression]:
         """Return both sides as formulas, with the unknowns on the right."""
-        linear_form = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
+        linear_form = total(part * Polynomial.from_expression(Symbol(name)) for name, part in self.left.items())
         return self.rest.expression(), linear_form.collected(self.left)
 
 
@@ -173,9 +173,9 @@ class CrossElimination:
         step.rest_on(pivot.label)
         above, below = pivot.rest, pivot.left[last]
         for name, part in pivot.left.items():
-            above = above - part * Polynomial.of(Symbol(name)) if name != last else above
+            above = above - part * Polynomial.from_expression(Symbol(name)) if name != last else above
         if sum(below.terms.values()) < 0.0:
-            above, below = above.scaled(-1.0), below.scaled(-1.0)
+            above, below = above.scale(-1.0), below.scale(-1.0)
         where = f"From {pivot.label}, " if len(names) > 1 else "So "
         step.add_text(f"{where}{step.result(Symbol(last), reduced_quotient(above, below), self.units[last])}.")
         step.close()
@@ -187,11 +187,11 @@ class CrossElimination:
         names = dict.fromkeys((*held.left, *pivot.left))
         none = Polynomial({})
         left = {
-            name: held.left.get(name, none) * mine[1] + (pivot.left.get(name, none) * other[1]).scaled(sign)
+            name: held.left.get(name, none) * mine[1] + (pivot.left.get(name, none) * other[1]).scale(sign)
             for name in names
             if name != last
         }
-        rest = held.rest * mine[1] + (pivot.rest * other[1]).scaled(sign)
+        rest = held.rest * mine[1] + (pivot.rest * other[1]).scale(sign)
         difference = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, rest)
         step = self._opened("combine")
         step.rest_on(held.label)
@@ -199,7 +199,7 @@ class CrossElimination:
         step.label(difference.label)
         terms = [_times(mine[1], held.label), _times(other[1], pivot.label)]
         if sign < 0.0 and sum(part for held in difference.left.values() for part in held.terms.values()) < 0.0:
-            difference = difference.turned
+            difference = difference.negated
             terms.reverse()
         step.add_text(
             f"{(' + ' if sign > 0.0 else ' − ').join(terms)}: {difference.label} {step.derived(*difference.sides)}."
@@ -211,7 +211,7 @@ class CrossElimination:
 def _signed(polynomial: Polynomial) -> tuple[float, Polynomial]:
     """Return the common sign of all terms and the polynomial without it."""
     negative = all(part < 0.0 for part in polynomial.terms.values())
-    return (-1.0, polynomial.scaled(-1.0)) if negative else (1.0, polynomial)
+    return (-1.0, polynomial.scale(-1.0)) if negative else (1.0, polynomial)
 
 
 def _times(weight: Polynomial, label: str) -> str:
@@ -232,7 +232,7 @@ class NumericEquation:
         """Return the left side as one formula."""
         expression: Expression = ZERO
         for name, part in self.left.items():
-            expression = added(expression, signed_term(part, name, 1.0))
+            expression = sum_terms(expression, signed_term(part, name, 1.0))
         return expression
 
 
@@ -240,4 +240,4 @@ def signed_term(part: Expression, name: str, sign: float) -> Expression:
     """Return sign · coefficient · symbol, with the sign of a numerical coefficient in front of the whole term."""
     negative = isinstance(part, NumericFormula) and part.comes_to < 0.0
     size = -part if negative else part
-    return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))
+    return multiply_factors(Number(-sign if negative else sign), multiply_factors(size, Symbol(name)))

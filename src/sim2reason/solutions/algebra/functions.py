@@ -30,10 +30,10 @@ from sim2reason.solutions.algebra.expressions import (
     Sum,
     Symbol,
     Values,
-    added,
-    multiplied,
+    multiply_factors,
     parenthesized,
     ratio,
+    sum_terms,
 )
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
@@ -191,14 +191,14 @@ def simplify_inverse(expression: Expression) -> Expression:
     return undone.get((expression.function, expression.argument.function), expression)
 
 
-def summed(parts: Iterable[Expression]) -> Expression:
+def sum_formulas(parts: Iterable[Expression]) -> Expression:
     """Return the sum of formulas."""
-    return reduce(added, parts, ZERO)
+    return reduce(sum_terms, parts, ZERO)
 
 
 def sum_of_squares(parts: Iterable[Expression]) -> Expression:
     """Return the sum of the squares of formulas, without zeros."""
-    return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
+    return sum_formulas(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
 def vector_length(parts: Iterable[Expression]) -> Expression:
@@ -242,7 +242,7 @@ def _product(factors: Sequence[Expression]) -> Expression:
         turned = factor.negative if not isinstance(factor, NumericFormula) else factor.comes_to < 0.0
         sign = -sign if turned else sign
         kept.append(_opposite(factor) if turned else factor)
-    product = reduce(multiplied, kept)
+    product = reduce(multiply_factors, kept)
     return product if sign > 0.0 else _negated(product)
 
 
@@ -250,7 +250,7 @@ def _negated(expression: Expression) -> Expression:
     """Return the negative of a formula; in a fraction, a difference in the denominator is reversed."""
     if isinstance(expression, Quotient) and is_difference(expression.below):
         return Quotient(expression.above, -expression.below)
-    return multiplied(Number(-1.0), expression)
+    return multiply_factors(Number(-1.0), expression)
 
 
 def _fraction(quotient: Quotient) -> Expression:
@@ -258,7 +258,7 @@ def _fraction(quotient: Quotient) -> Expression:
     if quotient.above.negative and is_difference(quotient.below):
         return Quotient(_opposite(quotient.above), -quotient.below)
     if isinstance(quotient.above, Sum) and quotient.above.negative:
-        return multiplied(Number(-1.0), Quotient(-quotient.above, quotient.below))
+        return multiply_factors(Number(-1.0), Quotient(-quotient.above, quotient.below))
     return quotient
 
 

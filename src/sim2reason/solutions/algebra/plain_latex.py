@@ -14,8 +14,8 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Sum,
-    added,
-    multiplied,
+    multiply_factors,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_difference, with_plain_signs
 from sim2reason.solutions.algebra.transformations import (
@@ -52,7 +52,7 @@ def _one_storey(expression: Expression) -> Expression:
             return (
                 _reduced(expression)
                 if is_reducible(expression)
-                else reduce(multiplied, sorted(factors, key=factor_rank))
+                else reduce(multiply_factors, sorted(factors, key=factor_rank))
             )
         case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
             return _reduced(expression)
@@ -114,7 +114,7 @@ def _reduced(expression: Expression) -> Expression:
     factors = _upright(_with_roots_reduced(_unfolded(factors_of(expression, _as_fraction))))
     beside = {base: power for base, power in factors.powers.items() if power > 0 and has_fraction(base)}
     left = Factors(factors.number, {base: power for base, power in factors.powers.items() if base not in beside})
-    return multiplied(left.written(), Factors(1.0, beside).product())
+    return multiply_factors(left.as_formula(), Factors(1.0, beside).product())
 
 
 def _upright(factors: Factors) -> Factors:
@@ -133,11 +133,11 @@ def _unfolded(factors: Factors) -> Factors:
             case Root(inside):
                 pairs = int(power / 2)
                 single = power - 2 * pairs
-                expanded *= factors_of(inside, _as_fraction if power < 0 else _same).raised(pairs)
+                expanded *= factors_of(inside, _as_fraction if power < 0 else _same).power(pairs)
                 expanded *= Factors(1.0, {base: single} if single else {})
             case Absolute(Quotient(above, below)):
                 sizes = Factors(1.0, {_size(above): 1}) * Factors(1.0, {_size(below): -1})
-                expanded *= sizes.raised(power)
+                expanded *= sizes.power(power)
             case _:
                 expanded *= Factors(1.0, {base: power})
     return expanded
@@ -169,10 +169,10 @@ def _as_fraction(expression: Sum) -> Expression:
     if number > LARGEST_DENOMINATOR:  # then the numbers are no fractions, but decimals
         return expression
     common = Factors(number, {base: power for base, power in below.items() if power})
-    above = added(*((term * common).product() for term in _together(terms, common)))
+    above = sum_terms(*((term * common).product() for term in _together(terms, common)))
     shared = _shared(above)
-    inner = added(*((factors_of(term) * shared.raised(-1)).written() for term in _terms(above)))
-    return (Factors(shared.number, shared.powers) * factors_of(inner) * common.raised(-1)).written()
+    inner = sum_terms(*((factors_of(term) * shared.power(-1)).as_formula() for term in _terms(above)))
+    return (Factors(shared.number, shared.powers) * factors_of(inner) * common.power(-1)).as_formula()
 
 
 def _together(terms: list[Factors], common: Factors) -> list[Factors]:
@@ -180,7 +180,7 @@ def _together(terms: list[Factors], common: Factors) -> list[Factors]:
     undivided = [term for term in terms if not _is_divided(term)]
     if len(undivided) < 2 or not any(isinstance(base, Sum) for base in common.powers):
         return terms
-    both = Factors(1.0, {added(*(term.product() for term in undivided)): 1})
+    both = Factors(1.0, {sum_terms(*(term.product() for term in undivided)): 1})
     return [*(term for term in terms if _is_divided(term)), both]
 
 
@@ -215,7 +215,7 @@ def _with_like_terms_added(expression: Sum) -> Expression:
         combined[key] = before + term.number, powers
     if len(combined) == len(terms):
         return expression
-    return added(*(Factors(number, powers).written() for number, powers in combined.values() if number))
+    return sum_terms(*(Factors(number, powers).as_formula() for number, powers in combined.values() if number))
 
 
 # ---- roots
@@ -230,7 +230,9 @@ def _root(root: Root, inside: Expression) -> Expression:
     number = sqrt(over) if over > 1.0 and under == 1.0 and sqrt(over).is_integer() else 1.0
     if number == 1.0 and over > 0.0:
         return root
-    return multiplied(Number(number), Root(_upright(Factors(factors.number / number**2, factors.powers)).written()))
+    return multiply_factors(
+        Number(number), Root(_upright(Factors(factors.number / number**2, factors.powers)).as_formula())
+    )
 
 
 def _with_roots_reduced(factors: Factors) -> Factors:
@@ -246,7 +248,7 @@ def _with_root_reduced(factors: Factors, root: Root, power: int) -> Factors:
     """Invert a root of a fraction in the denominator and cancel its radicand with other factors."""
     if power < 0 and not (has_fraction(root.inside) or _base_above(factors, root)):
         return factors
-    inside = factors_of(root.inside, _as_fraction if power < 0 else _same).raised(1 if power > 0 else -1)
+    inside = factors_of(root.inside, _as_fraction if power < 0 else _same).power(1 if power > 0 else -1)
     rest = factors * Factors(1.0, {root: -power})
     for base, outer in rest.powers.items():
         inner = inside.powers.get(base, 0)
@@ -254,7 +256,7 @@ def _with_root_reduced(factors: Factors, root: Root, power: int) -> Factors:
             step = 1 if outer > 0 else -1
             inside *= Factors(1.0, {base: 2 * step})
             rest *= Factors(1.0, {base: -step})
-    if inside.raised(power).powers == factors_of(root.inside).powers and power > 0:
+    if inside.power(power).powers == factors_of(root.inside).powers and power > 0:
         return factors
     return rest * _root_of(inside)
 
@@ -273,7 +275,7 @@ def _is_positive_in(base: Expression, inside: Factors) -> bool:
 
 def _root_of(inside: Factors) -> Factors:
     """Return the square root of a product given by its factors, again as factors."""
-    formula = inside.written()
+    formula = inside.as_formula()
     return factors_of(_root(Root(formula), formula)) if formula != ONE else Factors(1.0, {})
 
 

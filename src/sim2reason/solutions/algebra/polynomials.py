@@ -14,8 +14,8 @@ from sim2reason.solutions.algebra.expressions import (
     Scalar,
     Symbol,
     Values,
-    added,
-    multiplied,
+    multiply_factors,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
@@ -41,7 +41,7 @@ class Polynomial:
     terms: Mapping[Monomial, float]
 
     @classmethod
-    def of(cls, atom: Expression | float) -> Self:
+    def from_expression(cls, atom: Expression | float) -> Self:
         """Return a symbol, function, root or number as a polynomial."""
         if isinstance(atom, Expression):
             return cls({((atom, 1),): 1.0})
@@ -53,14 +53,14 @@ class Polynomial:
 
     def __sub__(self, other: "Polynomial") -> "Polynomial":
         """Return the difference."""
-        return total((self, other.scaled(-1.0)))
+        return total((self, other.scale(-1.0)))
 
     def __mul__(self, other: "Polynomial") -> "Polynomial":
         """Return the product, with sin² + cos² of one angle replaced by 1."""
         if (factor := self.number) is not None:
-            return other.scaled(factor)
+            return other.scale(factor)
         if (factor := other.number) is not None:
-            return self.scaled(factor)
+            return self.scale(factor)
         terms: dict[Monomial, float] = {}
         for one, a in self.terms.items():
             for two, b in other.terms.items():
@@ -68,7 +68,7 @@ class Polynomial:
                 terms[joined] = terms.get(joined, 0.0) + a * b
         return Polynomial(_cleaned(terms))
 
-    def scaled(self, factor: float) -> "Polynomial":
+    def scale(self, factor: float) -> "Polynomial":
         """Return the polynomial times a number."""
         if factor == 1.0:
             return self
@@ -102,7 +102,7 @@ class Polynomial:
             {tuple(p for p in monomial if p != atom): part for monomial, part in self.terms.items() if atom in monomial}
         )
 
-    def without(self, names: Collection[str]) -> "Polynomial":
+    def terms_without(self, names: Collection[str]) -> "Polynomial":
         """Return the terms that contain none of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if not _holds(m, names)})
 
@@ -138,7 +138,7 @@ class Polynomial:
 
     def expression(self) -> Expression:
         """Return the polynomial as a formula, term by term."""
-        return added(*(term_expression(monomial, part) for monomial, part in self.terms.items()))
+        return sum_terms(*(term_expression(monomial, part) for monomial, part in self.terms.items()))
 
     def factored(self) -> Expression:
         """Return the polynomial as a formula with common factors in front: m g (sin θ − µ cos θ)."""
@@ -148,11 +148,11 @@ class Polynomial:
         if not shared:
             return self.expression()
         if all(part < 0.0 for part in self.terms.values()):
-            return -self.scaled(-1.0).factored()
+            return -self.scale(-1.0).factored()
         rest = Polynomial({_less(monomial, shared): part for monomial, part in self.terms.items()})
         inner, outer = rest.expression(), term_expression(shared, 1.0)
         trailing = isinstance(shared[-1][0], Call)
-        return multiplied(inner, outer) if trailing and len(shared) == 1 else multiplied(outer, inner)
+        return multiply_factors(inner, outer) if trailing and len(shared) == 1 else multiply_factors(outer, inner)
 
     def collected(self, names: Iterable[str]) -> Expression:
         """Return the polynomial as a formula with its terms collected by symbols: (m + M) a."""
@@ -161,9 +161,9 @@ class Polynomial:
         for name in names:
             before = left.coefficient(name)
             if before:
-                expression = added(expression, _times(before, Symbol(name)))
-                left = left.without((name,))
-        return added(expression, left.expression())
+                expression = sum_terms(expression, _times(before, Symbol(name)))
+                left = left.terms_without((name,))
+        return sum_terms(expression, left.expression())
 
 
 NIL = Polynomial({})
@@ -184,8 +184,8 @@ def term_expression(monomial: Monomial, part: float) -> Expression:
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
-    numerator = multiplied(*above)
-    return Quotient(numerator, multiplied(*below)) if below else numerator
+    numerator = multiply_factors(*above)
+    return Quotient(numerator, multiply_factors(*below)) if below else numerator
 
 
 def _term_value(monomial: Monomial, part: float, at: Values) -> Scalar:
@@ -207,8 +207,8 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
         (monomial, part), *_ = before.terms.items()
         return term_expression(_joined(monomial, ((last, 1),)), part)
     if all(part < 0.0 for part in before.terms.values()):
-        return -multiplied(before.scaled(-1.0).expression(), last)
-    return multiplied(before.expression(), last)
+        return -multiply_factors(before.scale(-1.0).expression(), last)
+    return multiply_factors(before.expression(), last)
 
 
 def atom_sort_key(part: tuple[Expression, int]) -> tuple[int, str]:
@@ -322,7 +322,7 @@ def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | Non
         return None
     roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
     for signs in product((1.0, -1.0), repeat=len(roots) - 1):
-        candidate = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
+        candidate = total(root.scale(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
         if not (candidate * candidate - inside):
-            return candidate if candidate.value(at) > 0.0 else candidate.scaled(-1.0)
+            return candidate if candidate.value(at) > 0.0 else candidate.scale(-1.0)
     return None

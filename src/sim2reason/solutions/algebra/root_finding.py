@@ -16,9 +16,9 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -74,7 +74,7 @@ def other_solutions(name: str, formula: Expression, value: Expression, at: Mappi
 
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
     """Return the root of formula = value, by Newton's method near the known value of a symbol."""
-    return NumericRoot(added(formula, -value), name, at[name])
+    return NumericRoot(sum_terms(formula, -value), name, at[name])
 
 
 def substitute(expression: Expression, name: str, formula: Expression) -> Expression:
@@ -99,7 +99,7 @@ def evaluate_known_parts(
     expression: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
     """Replace the parts of a formula without unknowns by numbers, unless each of them is a single symbol."""
-    evaluated = _Settling(unknown, worked).of(expression)
+    evaluated = _Settling(unknown, worked).evaluate(expression)
     return (
         _without_symbols(evaluated, unknown, worked) if next(numeric_parts(evaluated), None) is not None else evaluated
     )
@@ -127,7 +127,7 @@ class _Settling:
         self._open: dict[int, bool] = {}  # by id of parts; the whole formula keeps them alive
         self._found: dict[int, Expression] = {}
 
-    def of(self, held: Expression) -> Expression:
+    def evaluate(self, held: Expression) -> Expression:
         """Return a formula with its known parts replaced by numbers."""
         if id(held) not in self._found:
             self._found[id(held)] = self._settled(held)
@@ -142,9 +142,9 @@ class _Settling:
         if isinstance(held, Sum | Product):
             known = [part for part in held.parts if not self._is_open(part)]
             if len(known) > 1:
-                rest = [self.of(part) for part in held.parts if self._is_open(part)]
+                rest = [self.evaluate(part) for part in held.parts if self._is_open(part)]
                 return held.built_of([self._worked(held.built_of(known)), *rest])
-        return held.built_of([self.of(part) for part in held.parts])
+        return held.built_of([self.evaluate(part) for part in held.parts])
 
     def _is_open(self, held: Expression) -> bool:
         """Return whether a part of a formula contains an unknown."""
@@ -182,12 +182,12 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
     """Yield what one operand must equal so that formula = value, by the inverse of the outermost operation."""
     match formula:
         case Sum():
-            yield reduce(added, (-term for term in formula.terms if term is not part), value)
+            yield reduce(sum_terms, (-term for term in formula.terms if term is not part), value)
         case Product():
-            rest = reduce(multiplied, (factor for factor in formula.factors if factor is not part))
+            rest = reduce(multiply_factors, (factor for factor in formula.factors if factor is not part))
             yield ratio(value, rest)
         case Quotient() if part is formula.above:
-            yield multiplied(value, formula.below)
+            yield multiply_factors(value, formula.below)
         case Quotient() if value != ZERO:
             yield ratio(formula.above, value)
         case Power() if formula.exponent == 2:

@@ -28,12 +28,12 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.fractions import reduced_quotient
-from sim2reason.solutions.algebra.functions import Call, Power, Root, summed
+from sim2reason.solutions.algebra.functions import Call, Power, Root, sum_formulas
 from sim2reason.solutions.algebra.polynomials import Polynomial, common_monomial, divide_by_term
 from sim2reason.solutions.algebra.root_finding import solved_for
 from sim2reason.solutions.solution import with_unit
@@ -67,10 +67,10 @@ def stated_equation(
             continue
         sign = -1.0 if written(parts[0]).negative else 1.0
         terms = (
-            multiplied(written(part.scaled(sign)), power_of(atom, power))
+            multiply_factors(written(part.scale(sign)), power_of(atom, power))
             for part, atom, power in zip(parts, (first, second), powers, strict=True)
         )
-        return reduce(added, terms), written(rest.scaled(-sign))
+        return reduce(sum_terms, terms), written(rest.scale(-sign))
     return None
 
 
@@ -104,7 +104,7 @@ def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expr
     rest = coefficient(above, Symbol(name), power)
     if power < 1 or name in rest.names():
         return None
-    return multiplied(worked(reduced_quotient(rest, below)), power_of(Symbol(name), power))
+    return multiply_factors(worked(reduced_quotient(rest, below)), power_of(Symbol(name), power))
 
 
 def found_by_double_angle(formula: Expression, solution: Expression, name: str) -> bool:
@@ -116,10 +116,10 @@ def found_by_double_angle(formula: Expression, solution: Expression, name: str) 
 
 def half_angles(name: str) -> list[tuple[Expression, Expression]]:
     """Return the half-angle formulas: pairs of cos² or sin² of an angle and its value by the double angle."""
-    twice = Call("cos", multiplied(Number(2.0), Symbol(name)))
-    halves = (added(ONE, twice), added(ONE, -twice))
+    twice = Call("cos", multiply_factors(Number(2.0), Symbol(name)))
+    halves = (sum_terms(ONE, twice), sum_terms(ONE, -twice))
     squares = (Power(Call("cos", Symbol(name)), 2), Power(Call("sin", Symbol(name)), 2))
-    return [(square, multiplied(Number(0.5), half)) for square, half in zip(squares, halves, strict=True)]
+    return [(square, multiply_factors(Number(0.5), half)) for square, half in zip(squares, halves, strict=True)]
 
 
 def _subexpressions(held: Expression) -> Iterator[Expression]:
@@ -141,12 +141,12 @@ def _without_squared_roots(expression: Expression) -> Expression:
         return expression
     half = expression.exponent // 2
     squared = (power_of(f.inside, half) if isinstance(f, Root) else Power(f, expression.exponent) for f in factors)
-    return reduce(multiplied, squared)
+    return reduce(multiply_factors, squared)
 
 
 def _sides(quotient: PolynomialFraction) -> tuple[Polynomial, Polynomial]:
     """Return the numerator and the expanded denominator of a fraction."""
-    return quotient.above, reduce(mul, quotient.below, Polynomial.of(1.0))
+    return quotient.above, reduce(mul, quotient.below, Polynomial.from_expression(1.0))
 
 
 SAMPLE_WINDOWS = (
@@ -172,7 +172,7 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
         equation = _summed(basis, coefficients, np.abs(coefficients) > MEANS)
         closed = solved_for(unknown, equation, ZERO, {unknown: near})
         if not isinstance(closed, NumericRoot):
-            return ClosedRoot(added(chain, -at), unknown, near, equation, closed)
+            return ClosedRoot(sum_terms(chain, -at), unknown, near, equation, closed)
     return None
 
 
@@ -224,7 +224,7 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
 
 def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
     """Return the sum of functions times coefficients, without the terms that are not `kept`."""
-    return summed(
+    return sum_formulas(
         Number(part) * basis_function
         for basis_function, part, keeps in zip(basis, parts.tolist(), kept, strict=True)
         if keeps

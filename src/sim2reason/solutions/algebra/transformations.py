@@ -15,8 +15,8 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 
@@ -29,20 +29,22 @@ def derivative(expression: Expression, name: str) -> Expression:
         case Symbol():
             result = ONE
         case Sum():
-            result = reduce(added, (derivative(term, name) for term in expression.terms))
+            result = reduce(sum_terms, (derivative(term, name) for term in expression.terms))
         case Product():
-            result = reduce(added, (_by_one(expression, number, name) for number in range(len(expression.factors))))
+            result = reduce(sum_terms, (_by_one(expression, number, name) for number in range(len(expression.factors))))
         case Quotient():
             above, below = derivative(expression.above, name), derivative(expression.below, name)
-            top = added(multiplied(above, expression.below), -multiplied(expression.above, below))
+            top = sum_terms(multiply_factors(above, expression.below), -multiply_factors(expression.above, below))
             result = above / expression.below if below == ZERO else top / Power(expression.below, 2)
         case Power():
             rest = expression.base if expression.exponent == 2 else Power(expression.base, expression.exponent - 1)
-            result = multiplied(Number(float(expression.exponent)), multiplied(rest, derivative(expression.base, name)))
+            result = multiply_factors(
+                Number(float(expression.exponent)), multiply_factors(rest, derivative(expression.base, name))
+            )
         case Root():
-            result = derivative(expression.inside, name) / multiplied(Number(2.0), expression)
+            result = derivative(expression.inside, name) / multiply_factors(Number(2.0), expression)
         case Call():
-            result = multiplied(_outer(expression), derivative(expression.argument, name))
+            result = multiply_factors(_outer(expression), derivative(expression.argument, name))
         case _:
             raise TypeError(f"no rule for the derivative of {type(expression).__name__}")
     return result
@@ -51,7 +53,7 @@ def derivative(expression: Expression, name: str) -> Expression:
 def _by_one(product: Product, number: int, name: str) -> Expression:
     """Return a product with one factor replaced by its derivative."""
     factors = (derivative(f, name) if n == number else f for n, f in enumerate(product.factors))
-    return reduce(multiplied, factors)
+    return reduce(multiply_factors, factors)
 
 
 def _outer(call: Call) -> Expression:
@@ -102,7 +104,7 @@ def _leading(expression: Expression, name: str, at: Mapping[str, float], sense: 
             leading_term = _of_sum(expression, name, at, sense)
         case Product():
             parts = [_leading(factor, name, at, sense) for factor in expression.factors]
-            leading_term = reduce(multiplied, (part for part, _ in parts)), sum(power for _, power in parts)
+            leading_term = reduce(multiply_factors, (part for part, _ in parts)), sum(power for _, power in parts)
         case Quotient():
             (above, high), (below, low) = (
                 _leading(part, name, at, sense) for part in (expression.above, expression.below)
@@ -132,7 +134,7 @@ def _of_sum(expression: Sum, name: str, at: Mapping[str, float], sense: float) -
     values = [part.value(at).real for part in kept]
     if abs(sum(values)) <= CANCELLATION_RTOL * max(map(abs, values)):
         raise CancelledError("leading terms cancel")
-    return reduce(added, kept), sense * most
+    return reduce(sum_terms, kept), sense * most
 
 
 LARGEST_DENOMINATOR = 10**6  # largest denominator of a number that is written as a fraction
@@ -156,7 +158,7 @@ class Factors:
             powers[base] = powers.get(base, 0) + exponent
         return Factors(self.number * other.number, {base: power for base, power in powers.items() if power})
 
-    def raised(self, exponent: int) -> "Factors":
+    def power(self, exponent: int) -> "Factors":
         """Return an integer power."""
         return Factors(self.number**exponent, {base: power * exponent for base, power in self.powers.items()})
 
@@ -170,9 +172,9 @@ class Factors:
     def product(self) -> Expression:
         """Return the product of all factors as a formula; all exponents must be positive."""
         factors = sorted(self.powers.items(), key=lambda factor: factor_rank(factor[0]))
-        return reduce(multiplied, (_raised(base, power) for base, power in factors), Number(self.number))
+        return reduce(multiply_factors, (_raised(base, power) for base, power in factors), Number(self.number))
 
-    def written(self) -> Expression:
+    def as_formula(self) -> Expression:
         """Return the formula, as a fraction if an exponent is negative."""
         above, below = (side.product() for side in self.sides())
         return above if below == ONE else Quotient(above, below)
@@ -190,9 +192,9 @@ def factors_of(expression: Expression, of_sum: Callable[[Sum], Expression] = lam
         case Product(factors):
             return reduce(Factors.__mul__, (factors_of(factor, of_sum) for factor in factors))
         case Quotient(above, below):
-            return factors_of(above, of_sum) * factors_of(below, of_sum).raised(-1)
+            return factors_of(above, of_sum) * factors_of(below, of_sum).power(-1)
         case Power(base, exponent):
-            return factors_of(base, of_sum).raised(exponent)
+            return factors_of(base, of_sum).power(exponent)
         case Sum() if (replacement := of_sum(expression)) != expression:
             return factors_of(replacement, of_sum)
         case _:

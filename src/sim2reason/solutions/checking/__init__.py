@@ -15,7 +15,7 @@ import numpy.typing as npt
 from sim2reason.solutions.checking.equation import ROUNDING_ATOL, Equation
 from sim2reason.solutions.checking.integration import PhaseError, formulas, integrate
 from sim2reason.solutions.checking.relations import UNDEFINED, Relations, zero
-from sim2reason.solutions.checking.trees import STATED_ROOT_RTOL, TreeError, check, symbols, written
+from sim2reason.solutions.checking.trees import STATED_ROOT_RTOL, TreeError, check, symbols, tree_text
 
 __all__ = ["Recomputed", "recompute"]
 
@@ -168,7 +168,7 @@ def _with(data: Mapping[str, Any], name: str, value: float, goal: str) -> dict[s
     }
 
 
-COMPARED = "exceeds"  # role of relations whose left side is larger than the right one
+COMPARISON_ROLE = "exceeds"  # role of relations whose left side is larger than the right one
 STATED = "law", "derived", "result", "verified"  # roles of equations
 MAX_STEPS = 1000  # most integration steps of one solution
 MAX_RELATIONS = 2000  # most relations of one solution
@@ -235,12 +235,12 @@ class _Recomputation:
             left, right, role = relation["left"], relation["right"], str(relation["role"])
             check(left)
             check(right)
-            if role not in (*STATED, COMPARED, TRIAL, CONDITION):
+            if role not in (*STATED, COMPARISON_ROLE, TRIAL, CONDITION):
                 raise TreeError(f"a relation has the role {role}")
-            if role == COMPARED:
-                self._compared.append(Equation.of(left, right, role))
+            if role == COMPARISON_ROLE:
+                self._compared.append(Equation.from_trees(left, right, role))
             if role in STATED:
-                equation = Equation.of(left, right, role)
+                equation = Equation.from_trees(left, right, role)
                 self._equations.append(equation)
                 self._relations.add(equation)
         if step["integration"] is not None:
@@ -274,12 +274,16 @@ class _Recomputation:
                 larger = inequality.excess(self._relations.values) > 0.0
             except UNDEFINED:
                 larger = False
-            messages += [] if larger else [f"isn't larger: {written(inequality.left)} than {written(inequality.right)}"]
+            messages += (
+                [] if larger else [f"isn't larger: {tree_text(inequality.left)} than {tree_text(inequality.right)}"]
+            )
         return messages
 
     def _undetermined(self) -> Sequence[str]:
         """Return messages for symbols and relations that do not follow from the laws that the solution states."""
-        stated = [equation for equation in self._equations if equation.role != "verified" and equation.near is None]
+        stated = [
+            equation for equation in self._equations if equation.role != "verified" and equation.initial_guess is None
+        ]
         try:
             return [*undetermined(stated, self._given | self._ends, self._relations.values, self._needed)]
         except UNDEFINED as error:

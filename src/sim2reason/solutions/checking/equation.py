@@ -13,10 +13,10 @@ from sim2reason.solutions.checking.trees import (
     Values,
     compiled_for_many,
     derivatives,
-    size,
+    largest_term,
     symbols,
+    tree_text,
     value,
-    written,
 )
 
 RELATION_RTOL = 1e-9  # relative to the largest term: largest difference of the two sides
@@ -33,16 +33,16 @@ class Equation:
     names: frozenset[str]
 
     @classmethod
-    def of(cls, left: Tree, right: Tree, role: str = "law") -> "Equation":
+    def from_trees(cls, left: Tree, right: Tree, role: str = "law") -> "Equation":
         """Return the equation between two formulas, given as prefix trees, with the symbols of both."""
         return cls(left, right, role, frozenset(symbols(left)) | frozenset(symbols(right)))
 
     def __str__(self) -> str:
         """Return both trees on one line."""
-        return f"{written(self.left)} = {written(self.right)}"
+        return f"{tree_text(self.left)} = {tree_text(self.right)}"
 
     @property
-    def near(self) -> float | None:
+    def initial_guess(self) -> float | None:
         """Return the approximate value near which the relation is solved for its symbol; None for other relations."""
         if isinstance(self.right, list) and self.right[0] == "solve":
             return float(self.right[1])  # type: ignore[arg-type]
@@ -68,7 +68,10 @@ class Equation:
 
     def holds(self, at: Values) -> bool:
         """Return whether both sides agree relative to their largest term."""
-        return abs(self.excess(at)) <= RELATION_RTOL * max(size(self.left, at), size(self.right, at)) + ROUNDING_ATOL
+        return (
+            abs(self.excess(at))
+            <= RELATION_RTOL * max(largest_term(self.left, at), largest_term(self.right, at)) + ROUNDING_ATOL
+        )
 
     def slopes(self, at: Values) -> tuple[float, Mapping[str, float]]:
         """Return left minus right, and its partial derivatives with respect to the symbols."""

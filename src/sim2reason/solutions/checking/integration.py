@@ -40,7 +40,7 @@ class Instant:
         if taken := sorted(known.keys() & {*self.names}):
             raise TreeError(f"{', '.join(taken)} has a value already")
         self.at: dict[str, float | Array] = dict(known)
-        waiting = [Equation.of(entry["left"], entry["right"]) for entry in data["equations"]]
+        waiting = [Equation.from_trees(entry["left"], entry["right"]) for entry in data["equations"]]
         self._before = self._definitions(waiting, {*self.names} - {*unknowns})
         extra = self._defined_by_unknowns(waiting, unknowns)
         self._system = LinearSystem(waiting, [*unknowns, *extra])

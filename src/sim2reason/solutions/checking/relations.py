@@ -10,8 +10,8 @@ from sim2reason.solutions.checking.trees import (
     SAMPLES,
     STATED_ROOT_RTOL,
     Tree,
-    bound,
     has_other_root,
+    magnitude_bound,
     parts_named,
     value,
 )
@@ -69,8 +69,8 @@ class Relations:
 
     def add(self, equation: Equation) -> None:
         """Add a relation: verify it, take a value from it, or keep it until its other symbols have values."""
-        if equation.near is not None and isinstance(equation.left, str):
-            self._shoot(equation.left, equation.near)
+        if equation.initial_guess is not None and isinstance(equation.left, str):
+            self._shoot(equation.left, equation.initial_guess)
             return
         missing = set(equation.names - self.values.keys())
         self._missing[equation] = missing
@@ -218,7 +218,7 @@ class Relations:
     def _significant(self, tree: Tree) -> float:
         """Return the value of a coefficient; zero if it is only a rounding error of its terms."""
         number = value(tree, self.values)
-        return number if abs(number) > ROUNDING * bound(tree, self.values) else 0.0
+        return number if abs(number) > ROUNDING * magnitude_bound(tree, self.values) else 0.0
 
 
 def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equation, str, Tree]]:

@@ -185,25 +185,25 @@ def terms(tree: Tree) -> list[Tree]:
     return tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
 
 
-def size(tree: Tree, at: Values) -> float:
+def largest_term(tree: Tree, at: Values) -> float:
     """Return the magnitude of the largest term of a tree."""
     return max(abs(value(term, at)) for term in terms(tree))
 
 
-def bound(tree: Tree, at: Values) -> float:
+def magnitude_bound(tree: Tree, at: Values) -> float:
     """Return the value of a tree with all terms taken as positive; ArithmeticError or ValueError if undefined."""
     if not isinstance(tree, list) or tree[0] in ("root", "pi"):
         return abs(value(tree, at))
     operation, *parts = tree
     if operation == "+":
-        return math.fsum(bound(part, at) for part in parts)
+        return math.fsum(magnitude_bound(part, at) for part in parts)
     if operation == "*":
-        return math.prod(bound(part, at) for part in parts)
+        return math.prod(magnitude_bound(part, at) for part in parts)
     if operation == "/":
-        return bound(parts[0], at) / abs(value(parts[1], at))
+        return magnitude_bound(parts[0], at) / abs(value(parts[1], at))
     if operation == "^" and float(parts[1]) > 0.0:  # type: ignore[arg-type]
-        return bound(parts[0], at) ** int(float(parts[1]))  # type: ignore[arg-type]
-    return bound(parts[0], at) if operation == "worked" else abs(value(tree, at))
+        return magnitude_bound(parts[0], at) ** int(float(parts[1]))  # type: ignore[arg-type]
+    return magnitude_bound(parts[0], at) if operation == "worked" else abs(value(tree, at))
 
 
 def derivatives(tree: Tree, at: Values) -> Derived:
@@ -295,8 +295,8 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
     return sum(one != other for one, other in pairwise(signs)) > 1
 
 
-def written(tree: Tree) -> str:
+def tree_text(tree: Tree) -> str:
     """Return a tree on one line, for error messages."""
     if not isinstance(tree, list):
         return tree if isinstance(tree, str) else f"{tree:.6g}"
-    return f"{tree[0]}({', '.join(map(written, tree[1:]))})"
+    return f"{tree[0]}({', '.join(map(tree_text, tree[1:]))})"

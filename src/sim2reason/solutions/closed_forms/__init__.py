@@ -13,7 +13,7 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Symbol,
-    multiplied,
+    multiply_factors,
     ratio,
     simple_fraction,
 )
@@ -95,7 +95,7 @@ def combined_formula(solution: Solution, own: Sequence[str] = ()) -> Expression:
         signed = any(at.get(name, 0.0) < 0.0 for name in bare.symbols())
         formula = -bare if _negative(bare, at) else bare
         formula = Absolute(formula) if signed else formula  # the sign of the formula is not evident
-    if hopeless(formula):
+    if is_too_complex(formula):
         raise ClosedFormError("it has too many roots")
     return formula
 
@@ -121,14 +121,14 @@ def _without_bars(expression: Expression) -> Expression:
         case Absolute():
             return expression.inside
         case Product():
-            return reduce(multiplied, map(_without_bars, expression.factors))
+            return reduce(multiply_factors, map(_without_bars, expression.factors))
         case Quotient():
             return ratio(_without_bars(expression.above), _without_bars(expression.below))
         case _:
             return expression
 
 
-def hopeless(expression: Expression) -> bool:
+def is_too_complex(expression: Expression) -> bool:
     """Return whether a formula with so many roots is too long to be simplified, since roots do not cancel."""
     roots = len(set(_roots(expression)))
     most = next(
@@ -190,16 +190,16 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
     for factor in factors:
         negative = [_negative(factor, at) for at in points]
         if any(negative) and not all(negative):
-            inner = multiplied(inner, factor)
+            inner = multiply_factors(inner, factor)
         else:
-            outer = multiplied(outer, -factor if any(negative) else factor)
-    return outer if inner == ONE else multiplied(outer, Absolute(inner))
+            outer = multiply_factors(outer, -factor if any(negative) else factor)
+    return outer if inner == ONE else multiply_factors(outer, Absolute(inner))
 
 
 def _with_positive_factors(expression: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
     """Reverse pairs of factors that are negative at all given values of the symbols."""
     if isinstance(expression, Product) and any(isinstance(factor, Quotient) for factor in expression.factors):
-        return reduce(multiplied, (_with_positive_factors(factor, points) for factor in expression.factors))
+        return reduce(multiply_factors, (_with_positive_factors(factor, points) for factor in expression.factors))
     above, below = (expression.above, expression.below) if isinstance(expression, Quotient) else (expression, ONE)
     sides = [list(side.factors) if isinstance(side, Product) else [side] for side in (above, below)]
     negative = [(side, n) for side in sides for n, factor in enumerate(side) if _is_reversible(factor, points)]
@@ -208,7 +208,7 @@ def _with_positive_factors(expression: Expression, points: Sequence[Mapping[str,
     for side, n in negative:
         side[n] = -side[n]
     sign = Number(-1.0) if len(negative) % 2 else ONE
-    return ratio(reduce(multiplied, sides[0], sign), reduce(multiplied, sides[1], ONE))
+    return ratio(reduce(multiply_factors, sides[0], sign), reduce(multiply_factors, sides[1], ONE))
 
 
 def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
@@ -243,7 +243,7 @@ def _out_of_roots(expression: Expression, at: Mapping[str, float] | None) -> Exp
         size = -size
     if inner == ONE:
         return size if left == ONE else ratio(size, Root(left))
-    return multiplied(size, Root(ratio(inner, left)))
+    return multiply_factors(size, Root(ratio(inner, left)))
 
 
 def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
@@ -252,9 +252,9 @@ def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
     for factor in product.factors if isinstance(product, Product) else (product,):
         if isinstance(factor, Power) and factor.exponent % 2 == 0:
             half = factor.exponent // 2
-            squared = multiplied(squared, factor.base if half == 1 else Power(factor.base, half))
+            squared = multiply_factors(squared, factor.base if half == 1 else Power(factor.base, half))
         else:
-            left = multiplied(left, factor)
+            left = multiply_factors(left, factor)
     return squared, left
 
 
@@ -273,12 +273,12 @@ class Substitution:
         if name not in self._known:
             if name not in self._definitions:
                 raise ClosedFormError(f"{name} comes from no formula")
-            self._known[name] = expression = self.of(self._definitions[name])
+            self._known[name] = expression = self.substitute(self._definitions[name])
             if sum(1 for _ in expression.symbols()) > MAX_SYMBOLS:
                 raise ClosedFormError("its formula grows too long")
         return self._known[name]
 
-    def of(self, held: Expression) -> Expression:
+    def substitute(self, held: Expression) -> Expression:
         """Return a formula with all names substituted."""
         match held:
             case Symbol():
@@ -288,11 +288,11 @@ class Substitution:
             case Pi():
                 substituted = held
             case NumericFormula():
-                substituted = self.of(held.inner)
+                substituted = self.substitute(held.inner)
             case SpecialFunction():
                 raise ClosedFormError("it needs a special function")
             case _ if held.parts:
-                substituted = simplify_inverse(held.built_of([self.of(part) for part in held.parts]))
+                substituted = simplify_inverse(held.built_of([self.substitute(part) for part in held.parts]))
             case _:
                 raise ClosedFormError("a number in it was found numerically")
         return substituted

@@ -15,10 +15,10 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Sum,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
     simple_fraction,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Power, is_difference
 from sim2reason.solutions.closed_forms.rewriting import latex_length
@@ -36,10 +36,10 @@ class Term:
     below: tuple[Expression, ...] = ()
 
     @property
-    def written(self) -> Expression:
+    def as_formula(self) -> Expression:
         """Return the term as a formula."""
-        above = reduce(multiplied, _raised(self.factors), Number(self.number))
-        return ratio(above, reduce(multiplied, _raised(self.below), ONE)) if self.below else above
+        above = reduce(multiply_factors, _raised(self.factors), Number(self.number))
+        return ratio(above, reduce(multiply_factors, _raised(self.below), ONE)) if self.below else above
 
     def without(self, other: "Term") -> "Term":
         """Divide the term by one of its divisors."""
@@ -78,7 +78,7 @@ def with_factors_in_front(expression: Expression) -> Expression:
         case Quotient():
             fraction = _term(rebuilt)
             plain = _cancelled(fraction)
-            return rebuilt if plain == fraction else plain.written
+            return rebuilt if plain == fraction else plain.as_formula
         case _:
             return rebuilt
 
@@ -89,10 +89,10 @@ def _in_front(terms: Sequence[Term]) -> Expression | None:
     numbers = [abs(term.number) for term in terms]
     if all(number.is_integer() for number in numbers):
         shared = replace(shared, number=copysign(gcd(*map(int, numbers)), shared.number))
-    if shared.written in (ONE, Number(-1.0)):
+    if shared.as_formula in (ONE, Number(-1.0)):
         return None
     rest = _plain([term.without(shared) for term in terms])
-    return Term(shared.number, (*shared.factors, rest), shared.below).written
+    return Term(shared.number, (*shared.factors, rest), shared.below).as_formula
 
 
 def symbols_in(expression: Expression) -> int:
@@ -111,16 +111,16 @@ def parted(expression: Expression) -> Expression:
     if not isinstance(rebuilt, Quotient):
         return rebuilt
     fraction = _cancelled(_term(rebuilt))
-    return min((rebuilt, fraction.written, *_apart(fraction)), key=symbols_in)
+    return min((rebuilt, fraction.as_formula, *_divide_out_sum(fraction)), key=symbols_in)
 
 
-def _apart(fraction: Term) -> Iterator[Expression]:
+def _divide_out_sum(fraction: Term) -> Iterator[Expression]:
     """Yield forms of a fraction in which one sum of the numerator is divided by the denominator term by term."""
     for factor in fraction.factors if fraction.below else ():
         if isinstance(factor, Sum):
             rest = _less(fraction.factors, (factor,))
             terms = [replace(term, below=(*term.below, *fraction.below)) for term in map(_term, factor.terms)]
-            yield Term(fraction.number, (*rest, _plain([_cancelled(term) for term in terms]))).written
+            yield Term(fraction.number, (*rest, _plain([_cancelled(term) for term in terms]))).as_formula
 
 
 def _cancelled(term: Term) -> Term:
@@ -158,7 +158,7 @@ def _product(terms: Sequence[Term]) -> Expression:
     again = _shared(grouped) if len(grouped) > 1 else Term(1.0, ())
     inner = _plain([term.without(again) for term in grouped])
     common = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
-    return Term(common.number, (*common.factors, inner), common.below).written if inner != ONE else common.written
+    return Term(common.number, (*common.factors, inner), common.below).as_formula if inner != ONE else common.as_formula
 
 
 def _crosswise(terms: Sequence[Term]) -> Expression | None:
@@ -258,7 +258,7 @@ def _merged(terms: Sequence[Term]) -> list[Term]:
 
 def _plain(terms: Sequence[Term]) -> Expression:
     """Return the sum of terms as a formula."""
-    return reduce(added, (term.written for term in terms), ZERO)
+    return reduce(sum_terms, (term.as_formula for term in terms), ZERO)
 
 
 def _like(one: Term, other: Term) -> bool:

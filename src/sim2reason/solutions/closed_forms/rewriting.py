@@ -25,17 +25,17 @@ from sim2reason.solutions.algebra.expressions import (
     Quotient,
     Sum,
     Symbol,
-    multiplied,
+    multiply_factors,
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
 from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, atom_sort_key
 
-SHORT = 60  # characters: shorter formulas are not simplified further
+MIN_SIMPLIFIED_LENGTH = 60  # characters: shorter formulas are not simplified further
 MAX_LENGTH_BY_PARTS = 400  # characters: simplifying longer formulas part by part has never saved half
 MAX_SYMBOLS_BY_PARTS = 80  # symbols in a formula that is simplified part by part, at most
 SHORTER_RATIO = 0.9  # relative length of a form that replaces a plainer one, at most
-UGLY = 8  # characters that a leading minus sign costs
+LEADING_MINUS_PENALTY = 8  # characters that a leading minus sign costs
 FACTORED = 30  # terms of a factored polynomial, at most
 FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
 TERMS = 40  # terms in a numerator or denominator, at most
@@ -57,7 +57,7 @@ def shortest_form(expression: Expression, room: float = inf) -> Expression:
     many = sum(1 for _ in expression.symbols()) > MAX_SYMBOLS_BY_PARTS
     if (
         many
-        or not SHORT < latex_length(shortest) <= MAX_LENGTH_BY_PARTS
+        or not MIN_SIMPLIFIED_LENGTH < latex_length(shortest) <= MAX_LENGTH_BY_PARTS
         or not any(name.startswith("\\sqrt") for name in _functions(expression))
     ):
         return shortest
@@ -74,7 +74,7 @@ def shortest_form(expression: Expression, room: float = inf) -> Expression:
 def latex_length(expression: Expression) -> int:
     """Return the number of characters of a formula's LaTeX, plus a penalty for avoidable minus signs."""
     latex = expression.latex()
-    return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
+    return len(latex) + LEADING_MINUS_PENALTY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
 
 
 def _over_one(expression: Expression) -> Iterator[Expression]:
@@ -84,11 +84,11 @@ def _over_one(expression: Expression) -> Iterator[Expression]:
         return
     try:
         field = RationalFunctions(names, len(set(_functions(expression))))
-        reduced = field.reduced(field.of(expression))
-        yield from field.written(reduced)
+        reduced = field.reduce_root_squares(field.to_field(expression))
+        yield from field.rewritten_forms(reduced)
         plainer = field.without_sines_squared(reduced)
         if plainer != reduced:
-            yield from field.written(plainer)
+            yield from field.rewritten_forms(plainer)
     except (TooLongError, ZeroDivisionError):
         return
 
@@ -110,18 +110,18 @@ class RationalFunctions:
         self._met: dict[tuple[str, Any], Any] = {}
         self._squares: dict[int, Any] = {}  # radicands, by index of the root's generator
 
-    def of(self, held: Expression) -> Any:
+    def to_field(self, held: Expression) -> Any:
         """Return a formula as an element of the field."""
         if isinstance(held, Symbol):
             return self._symbols[held.name]
         if isinstance(held, Number):
             fraction = Fraction(held.x).limit_denominator(10**6)
             return self._field(fraction.numerator) / self._field(fraction.denominator)
-        parts = [self.of(part) for part in held.parts]
+        parts = [self.to_field(part) for part in held.parts]
         if isinstance(held, Pi):
             return self._atom(held, self._field(1))
         if isinstance(held, Root | Call):
-            inner = self.reduced(parts[0])
+            inner = self.reduce_root_squares(parts[0])
             return self._atom(held, min(inner, self.without_sines_squared(inner), key=_terms))
         if isinstance(held, Power):
             return self._sized(parts[0] ** held.exponent)
@@ -145,13 +145,13 @@ class RationalFunctions:
             index = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
             self._atoms.append(
-                held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=latex_length)])
+                held if isinstance(held, Pi) else held.built_of([min(self.rewritten_forms(inner), key=latex_length)])
             )
             if isinstance(held, Root):
                 self._squares[index] = inner
         return self._met[function, inner]
 
-    def reduced(self, found: Any) -> Any:
+    def reduce_root_squares(self, found: Any) -> Any:
         """Replace the squares of roots in a rational function by their radicands."""
         for index, inside in self._squares.items():
             for side in (found.numer, found.denom):
@@ -181,7 +181,7 @@ class RationalFunctions:
 
     # ---- back
 
-    def written(self, found: Any) -> Iterator[Expression]:
+    def rewritten_forms(self, found: Any) -> Iterator[Expression]:
         """Yield forms of a rational function: expanded, with common factors in front, and factored."""
         above, below = found.numer, found.denom
         yield ratio(self._sum(above).expression(), self._sum(below).expression())
@@ -199,7 +199,7 @@ class RationalFunctions:
             one = self._gathered(plain)
             factors.append(one if power == 1 else Power(one, power))
             number *= float(sign**power)
-        return reduce(multiplied, sorted(factors, key=_place), Number(number))
+        return reduce(multiply_factors, sorted(factors, key=_place), Number(number))
 
     def _sum(self, side: Any) -> Polynomial:
         """Return an expanded polynomial."""

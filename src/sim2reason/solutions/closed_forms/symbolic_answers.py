@@ -7,7 +7,7 @@ from math import isclose
 import numpy as np
 
 from sim2reason.base.records import cached_property
-from sim2reason.grading.formula import compiled
+from sim2reason.grading.formula import compile_formula
 from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute
@@ -78,7 +78,7 @@ class _FinalAlgebra:
         return given - self.solution.constants.keys()
 
     @cached_property
-    def _said(self) -> str:
+    def _solution_text(self) -> str:
         return " ".join(step.text for step in self.solution.steps)
 
     @cached_property
@@ -141,14 +141,15 @@ class _FinalAlgebra:
             if closed_form is None or len(closed_form.latex) > MAX_FORMULA_LENGTH:
                 continue
             relation = Relation(part, closed_form.expression, "derived")
-            if relation.latex() not in self._said and self._holds(relation):
+            if relation.latex() not in self._solution_text and self._holds(relation):
                 yield relation
 
     def _is_said(self, name: str) -> bool:
         """Return whether the text contains the formula of a quantity in given ones."""
         closed_form = self._closed(Symbol(name))
         return (
-            closed_form is not None and Relation(Symbol(name), closed_form.expression, "derived").latex() in self._said
+            closed_form is not None
+            and Relation(Symbol(name), closed_form.expression, "derived").latex() in self._solution_text
         )
 
     def _is_plain(self, name: str) -> bool:
@@ -159,7 +160,7 @@ class _FinalAlgebra:
     def _closed(self, part: Expression) -> ClosedForm | None:
         """Return the closed form of a formula in terms of given quantities; None if it has none."""
         try:
-            return simplified_form(self._put_in.of(part))
+            return simplified_form(self._put_in.substitute(part))
         except ClosedFormError:
             return None
 
@@ -185,7 +186,7 @@ class _FinalAlgebra:
         if (
             not simple
             or len(simple) > SIMPLIFIED_RATIO * size
-            or relation.latex() in self._said
+            or relation.latex() in self._solution_text
             or not self._holds(relation)
         ):
             return "", []
@@ -271,7 +272,7 @@ def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, quantit
     if not setting.assumed or setting.formula is None:
         return False
     try:
-        answer = compiled(setting.formula.latex, setting.formula.symbols)
+        answer = compile_formula(setting.formula.latex, setting.formula.symbols)
         values = [answer.value(at) for positive, at in _signs(setting, book, quantity) if not positive]
     except (KeyError, ValueError):  # contains a number defined later
         return False

@@ -12,9 +12,9 @@ from sim2reason.solutions.algebra.expressions import (
     Product,
     Quotient,
     Sum,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root, is_difference
 
@@ -63,7 +63,7 @@ def _whole_turns(call: Call, angle: Sum) -> Expression:
                 rest.append(term)
     if not halves or not rest:
         return call
-    reduced = tidy(Call(call.function, reduce(added, rest)))
+    reduced = tidy(Call(call.function, reduce(sum_terms, rest)))
     return -reduced if halves % 2.0 else reduced
 
 
@@ -71,10 +71,10 @@ def _joined(expression: Expression) -> Expression:
     """Return a product, fraction or sum in its usual notation."""
     if isinstance(expression, Product):
         expression = _over_one(_cancelled([_signed(factor) for factor in expression.factors]))
-        return _rooted(_turned(_fraction(expression)))
+        return _rooted(_remove_leading_minus(_fraction(expression)))
     if isinstance(expression, Quotient) and not {*_factors(expression.above)}.isdisjoint(_factors(expression.below)):
         expression = _over_one(expression)
-    return _turned(_fraction(expression))
+    return _remove_leading_minus(_fraction(expression))
 
 
 def _over_one(part: Expression) -> Expression:
@@ -94,10 +94,14 @@ def _over_one(part: Expression) -> Expression:
             above.remove(factor)
             below.remove(factor)
     size = prod(f.x for f in above if isinstance(f, Number)) / prod(f.x for f in below if isinstance(f, Number))
-    over, under = (reduce(multiplied, (f for f in part if not isinstance(f, Number)), ONE) for part in (above, below))
+    over, under = (
+        reduce(multiply_factors, (f for f in part if not isinstance(f, Number)), ONE) for part in (above, below)
+    )
     if abs(size) < 1.0 and (1.0 / size).is_integer():
-        return ratio(multiplied(Number(copysign(1.0, size)), over), multiplied(Number(abs(1.0 / size)), under))
-    return ratio(multiplied(Number(size), over), under)
+        return ratio(
+            multiply_factors(Number(copysign(1.0, size)), over), multiply_factors(Number(abs(1.0 / size)), under)
+        )
+    return ratio(multiply_factors(Number(size), over), under)
 
 
 def _root(root: Root) -> Expression:
@@ -106,13 +110,13 @@ def _root(root: Root) -> Expression:
         case Quotient(Number(1.0), below):
             return ratio(ONE, _root(Root(below)))
         case Product((Number(x), *rest)) if x > 1.0 and sqrt(x).is_integer():
-            return multiplied(Number(sqrt(x)), _root(Root(reduce(multiplied, rest))))
+            return multiply_factors(Number(sqrt(x)), _root(Root(reduce(multiply_factors, rest))))
         case Product(factors) if squared := [f for f in factors if isinstance(f, Power) and f.base == PI]:
             (power,) = squared
-            left = reduce(multiplied, (factor for factor in factors if factor is not power), ONE)
+            left = reduce(multiply_factors, (factor for factor in factors if factor is not power), ONE)
             if power.exponent % 2 or power.exponent <= 0:
                 return root
-            return multiplied(_power_of_pi(power.exponent // 2), Root(left))
+            return multiply_factors(_power_of_pi(power.exponent // 2), Root(left))
         case _:
             return root
 
@@ -133,10 +137,10 @@ def _factors(expression: Expression) -> tuple[Expression, ...]:
     return expression.factors if isinstance(expression, Product) else (expression,)
 
 
-def _turned(expression: Expression) -> Expression:
+def _remove_leading_minus(expression: Expression) -> Expression:
     """Remove the leading minus sign of a product by reversing a difference among its factors."""
     if isinstance(expression, Quotient) and isinstance(expression.above, Product) and expression.above.negative:
-        return ratio(_turned(expression.above), expression.below)
+        return ratio(_remove_leading_minus(expression.above), expression.below)
     if (
         not isinstance(expression, Product)
         or not isinstance(expression.factors[0], Number)
@@ -148,7 +152,7 @@ def _turned(expression: Expression) -> Expression:
     if index is None:
         return expression
     factors[index] = _reversed(factors[index])
-    return reduce(multiplied, factors, -number)
+    return reduce(multiply_factors, factors, -number)
 
 
 def _holds_difference(factor: Expression) -> bool:
@@ -160,7 +164,11 @@ def _holds_difference(factor: Expression) -> bool:
 
 def _opposed(expression: Expression) -> Expression:
     """Return the negative of a sum, or of a product with one of its sums reversed."""
-    return -expression if isinstance(expression, Sum) else _turned(multiplied(Number(-1.0), expression))
+    return (
+        -expression
+        if isinstance(expression, Sum)
+        else _remove_leading_minus(multiply_factors(Number(-1.0), expression))
+    )
 
 
 def _reversed(expression: Expression) -> Expression:
@@ -172,7 +180,7 @@ def _rooted(expression: Expression) -> Expression:
     """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is an integer, so that the fraction is reduced."""
     match expression:
         case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
-            return tidy(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
+            return tidy(Root(ratio(multiply_factors(Number(x * x / y), above), reduce(multiply_factors, rest, ONE))))
         case _:
             return expression
 
@@ -202,8 +210,8 @@ def _raised(base: Expression, exponent: int) -> Expression:
 def _times(number: Number, expression: Expression) -> Expression:
     """Return a multiple of a formula, with the number in the numerator of a fraction."""
     if isinstance(expression, Quotient):
-        return ratio(multiplied(number, expression.above), expression.below)
-    return multiplied(number, expression)
+        return ratio(multiply_factors(number, expression.above), expression.below)
+    return multiply_factors(number, expression)
 
 
 def _outward(expression: Absolute | Call, opposite: Expression) -> Expression:
@@ -226,16 +234,20 @@ def _opposite(expression: Expression) -> Expression:
 
 def _signed(expression: Expression) -> Expression:
     """Return a sum of negative terms with its sign in front."""
-    return multiplied(Number(-1.0), -expression) if isinstance(expression, Sum) and expression.negative else expression
+    return (
+        multiply_factors(Number(-1.0), -expression)
+        if isinstance(expression, Sum) and expression.negative
+        else expression
+    )
 
 
 def _upright(above: Expression, below: Expression) -> Expression:
     """Return a quotient without a fraction, or root of a fraction, in its denominator."""
     match below:
         case Quotient(over, under):
-            return ratio(multiplied(above, under), over)
+            return ratio(multiply_factors(above, under), over)
         case Root(Quotient(over, under)):
-            return multiplied(above, Root(ratio(under, over)))
+            return multiply_factors(above, Root(ratio(under, over)))
         case _:
             return ratio(above, below)
 
@@ -249,12 +261,12 @@ def _cancelled(factors: list[Expression]) -> Expression:
             if common is not None:
                 below.remove(common)
                 left = [
-                    ratio(fraction.above, reduce(multiplied, below, ONE)) if n == index else factor
+                    ratio(fraction.above, reduce(multiply_factors, below, ONE)) if n == index else factor
                     for n, factor in enumerate(factors)
                 ]
                 left.remove(common)
                 return _cancelled(left)
-    return reduce(multiplied, factors, ONE)
+    return reduce(multiply_factors, factors, ONE)
 
 
 def _squared(base: Expression, exponent: int) -> Expression:
@@ -266,5 +278,5 @@ def _squared(base: Expression, exponent: int) -> Expression:
     if isinstance(base, Root):
         return base.inside if exponent == 2 else Power(base.inside, exponent // 2)
     if isinstance(base, Product) and any(isinstance(factor, Root) for factor in base.factors):
-        return reduce(multiplied, (_squared(factor, exponent) for factor in base.factors), ONE)
+        return reduce(multiply_factors, (_squared(factor, exponent) for factor in base.factors), ONE)
     return Power(-base if base.negative else base, exponent)

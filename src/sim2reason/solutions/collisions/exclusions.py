@@ -23,9 +23,9 @@ class Exclusion:
     """
 
     kind: str
-    who: str
+    subject: str
     letters: str
-    said: str
+    number: str
     limit: str = ""
     motion: str = ""
     aside: str = ""
@@ -42,13 +42,15 @@ def clauses(exclusions: Sequence[Exclusion]) -> Iterator[str]:
 def _pairs(exclusions: Sequence[Exclusion]) -> str:
     """Return the subject of a clause, such as *pucks A and B* or *the pairs AB and AC*."""
     return (
-        exclusions[0].who if len(exclusions) == 1 else f"the pairs {join_words([each.letters for each in exclusions])}"
+        exclusions[0].subject
+        if len(exclusions) == 1
+        else f"the pairs {join_words([each.letters for each in exclusions])}"
     )
 
 
 def _numbers(exclusions: Sequence[Exclusion]) -> str:
     """Return a list in words of the numbers, such as times, that prove that pairs do not collide."""
-    return join_words([each.said for each in exclusions])
+    return join_words([each.number for each in exclusions])
 
 
 def _meet_later(exclusions: Sequence[Exclusion]) -> str:
@@ -59,13 +61,13 @@ def _meet_later(exclusions: Sequence[Exclusion]) -> str:
 
 def _meet_later_in_line(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about bodies on a line that would meet only after the end of the interval."""
-    return join_words([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in exclusions])
+    return join_words([f"{each.subject}, {each.aside}, would meet only at {each.number}" for each in exclusions])
 
 
 def _reach_later(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about bodies that would reach a wall only after the end of the interval."""
     return join_words(
-        [f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in exclusions]
+        [f"{each.subject}, {each.aside}, would reach {each.limit} only at {each.number}" for each in exclusions]
     )
 
 
@@ -99,7 +101,7 @@ def _go_together(exclusions: Sequence[Exclusion]) -> str:
 
 def _leave_walls(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about bodies that move away from a wall."""
-    return join_words([f"{each.who} moves away from {each.limit} at {each.said}" for each in exclusions])
+    return join_words([f"{each.subject} moves away from {each.limit} at {each.number}" for each in exclusions])
 
 
 CLAUSES: Mapping[str, Callable[[Sequence[Exclusion]], str]] = {
@@ -152,20 +154,20 @@ class RelativeMotion:
         name = self.book.fresh(base, f"{axis},{self.letters}" if axis else self.letters)
         self.book.set_value(name.name, self.book.value(formula), self.book.unit_in_text(unit))
         short = len(formula.latex()) <= MAX_FORMULA_LENGTH
-        told.append(self.step.verified(name, formula if short else self.book.worked(formula), unit))
+        told.append(self.step.verified(name, formula if short else self.book.defer_to_number(formula), unit))
         return name
 
 
 def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, following: Impact) -> str:
-    """Return the sentence that two bodies, after one collision, approach the `following` one; empty if obvious."""
+    """Return the sentence that two bodies, after one collision, approach the `next_collision` one; empty if obvious."""
     book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
     pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
     if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
         return ""
     speed = NIL
     for body, (k, sense) in flights.normal_coordinates(meeting).items():
-        rate = flights.leg(body, flights.count(body, following)).speeds[k]
-        speed = speed - rate.scaled(sense * (1.0 if body == meeting.b else -1.0))
+        rate = flights.flight_of_body(body, flights.count(body, following)).speeds[k]
+        speed = speed - rate.scale(sense * (1.0 if body == meeting.b else -1.0))
     record_inequality(book, step, speed.expression(), ZERO)
     motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
     equation = motion.concluded("u", speed.expression(), SPEED)
@@ -208,7 +210,7 @@ class FreeInterval:
     ends: Impact | None  # None: at the end time
 
     @property
-    def meets(self) -> bool:
+    def is_collision(self) -> bool:
         """Return whether the two bodies collide at the end of the interval."""
         return self.ends is not None and self.ends.meeting == self.meeting
 
@@ -236,14 +238,14 @@ class Intervals:
             return []
         return [impact for impact in self._flights.impacts if abs(impact.time - self._time) <= TIME_RTOL * self._time]
 
-    def following(self, begins: Impact | None) -> Impact | None:
+    def next_collision(self, begins: Impact | None) -> Impact | None:
         """Return the first collision after a given one, up to the end time, or the first of all for None."""
         number = 0 if begins is None else begins.number + 1
         return next((impact for impact in (*self.early, *self.at_end) if impact.number >= number), None)
 
     def is_late(self, held: FreeInterval) -> bool:
         """Return whether the two bodies of an interval collide at its end, but others collide before."""
-        return held.meets and held.ends is not self.following(held.begins)
+        return held.is_collision and held.ends is not self.next_collision(held.begins)
 
     def _last(self, meeting: CollisionPair) -> Impact | None:
         """Return the collision at the end time in which a body of the given pair takes part; None if there is none."""

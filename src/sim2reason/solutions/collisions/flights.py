@@ -10,7 +10,7 @@ from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.vectors import Vector, dot
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, sum_terms
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.arrangement import DISPLACEMENT, TIME, VELOCITY, gap_at_start
@@ -60,11 +60,11 @@ class FreeFlights(ABC):
         self._spans: dict[tuple[str, str], Symbol] = {}
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
         self._places: dict[tuple[int, int, str], Polynomial] = {}
-        self.struck: dict[int, dict[int, Polynomial]] = {}
+        self.velocities_after_impact: dict[int, dict[int, Polynomial]] = {}
         self.sums: dict[
             Symbol, tuple[Symbol, Symbol]
         ] = {}  # for times since the start: the flight's start time and duration
-        self.flown: set[tuple[str, int]] = set()  # flights stated to last until the moment
+        self.flights_to_moment: set[tuple[str, int]] = set()  # flights stated to last until the moment
         self.relative: dict[
             int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
         ] = {}  # relative motion of colliding discs
@@ -106,25 +106,25 @@ class FreeFlights(ABC):
     def acceleration(self, k: int) -> Polynomial:
         """Return the gravitational acceleration along a coordinate."""
         lexicon = self.setting.lexicon
-        return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
+        return lexicon.formula_for(lambda m: -m.gravity[2]) * lexicon.formula_for(lambda m: -m.coordinates[k].axis[2])
 
     def mass(self, body: str) -> Polynomial:
         """Return the mass of a body."""
-        return self.setting.lexicon.of(lambda m: m.body[body].mass)
+        return self.setting.lexicon.formula_for(lambda m: m.body[body].mass)
 
     def _first(self, body: str) -> Flight:
         """Return the initial flight of a body."""
-        read = self.setting.lexicon.of
+        read = self.setting.lexicon.formula_for
         return Flight(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
-    def leg(self, body: str, number: int) -> Flight:
+    def flight_of_body(self, body: str, number: int) -> Flight:
         """Return the flight of a body that follows a given number of its collisions."""
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
             impact = own[len(legs) - 1]
             if self.timed:
-                self.when(impact)
+                self.collision_time(impact)
             legs.append(Flight(None, self.after(impact), after=impact))
         return legs[number]
 
@@ -145,7 +145,7 @@ class FreeFlights(ABC):
         return letters if begins is None else f"{letters},{begins.number + 1}"
 
     @abstractmethod
-    def when(self, impact: Impact) -> Symbol:
+    def collision_time(self, impact: Impact) -> Symbol:
         """Return the symbol of the time of a collision; on first use, write the time."""
 
     @abstractmethod
@@ -160,9 +160,9 @@ class FreeFlights(ABC):
 
     def begins(self, leg: Flight) -> Symbol | None:
         """Return the time at which a flight begins; None at t = 0."""
-        return self.when(leg.after) if leg.after is not None else None
+        return self.collision_time(leg.after) if leg.after is not None else None
 
-    def span(self, leg: Flight, time: Symbol) -> Symbol:
+    def flight_duration(self, leg: Flight, time: Symbol) -> Symbol:
         """Return the duration of a flight up to a time."""
         begins = self.begins(leg)
         if begins is None:
@@ -174,7 +174,7 @@ class FreeFlights(ABC):
         key = (begins.name, time.name)
         if key not in self._spans:
             step, name = self.book.begin_step(TIME), self.book.fresh("t")
-            formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
+            formula = (Polynomial.from_expression(time) - Polynomial.from_expression(begins)).expression()
             step.add_text(f"The time since {self.event(begins)} is {step.result(name, formula, SECONDS, law=True)}.")
             step.close()
             self._spans[key] = name
@@ -185,32 +185,32 @@ class FreeFlights(ABC):
         if begins is None:
             return span
         step, until = self.book.begin_step(TIME), self.book.fresh("t")
-        step.add_text(f"The time since the start is {step.result(until, added(begins, span), SECONDS, law=True)}.")
+        step.add_text(f"The time since the start is {step.result(until, sum_terms(begins, span), SECONDS, law=True)}.")
         step.close()
         self._spans[begins.name, until.name], self.sums[until] = span, (begins, span)
         return until
 
     def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
         """Return the velocity along a coordinate at a time of a flight; for None, at its beginning."""
-        leg, a = self.leg(body, number), self.acceleration(k)
+        leg, a = self.flight_of_body(body, number), self.acceleration(k)
         if not a or time is None or (leg.after is not None and self.begins(leg) == time):
             return leg.speeds[k]
         key = (k, number, time.name)
         if key not in self._speeds:
-            span = self.span(leg, time)
-            step, name = self.book.begin_step(VELOCITY), self.book.fresh("v", self.mark(body, k))
-            formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
+            span = self.flight_duration(leg, time)
+            step, name = self.book.begin_step(VELOCITY), self.book.fresh("v", self.motion_subscript(body, k))
+            formula = (leg.speeds[k] + a * Polynomial.from_expression(span)).expression()
             step.rest_on(time.name)
             step.add_text(f"At ${time.name}$ {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
-            self._speeds[key] = Polynomial.of(name)
+            self._speeds[key] = Polynomial.from_expression(name)
         return self._speeds[key]
 
-    def place(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
+    def displacement(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
         """Return the displacement along a coordinate since t = 0 at a time of a flight; for None, at its beginning."""
         if number == 0 and time is None:
             return NIL
-        leg = self.leg(body, number)
+        leg = self.flight_of_body(body, number)
         begins = self.begins(leg)
         there = self._at_wall(body, k, begins if time is None else time)
         if there is not None:
@@ -218,7 +218,7 @@ class FreeFlights(ABC):
         if time is None or begins == time:
             time = begins
             assert time is not None
-            return self.place(body, number - 1, k, time) if number else NIL
+            return self.displacement(body, number - 1, k, time) if number else NIL
         key = (k, number, time.name)
         if key not in self._places:
             self._places[key] = self._moved(body, number, k, time)
@@ -231,24 +231,26 @@ class FreeFlights(ABC):
             return None
         meeting = self.impacts[number].meeting
         ways = self.normal_coordinates(self.mechanism.meetings[meeting])
-        return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
+        return self.initial_gap(meeting).scale(-ways[body][1]) if ways[body][0] == k else None
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
         """Write the displacement along a coordinate at a time of a flight, and return it."""
-        leg, a = self.leg(body, number), self.acceleration(k)
-        steady = number > 0 and not a and all(self.leg(body, n).speeds[k] == leg.speeds[k] for n in range(number))
-        before = ZERO if steady else self.place(body, number, k, None).expression()
+        leg, a = self.flight_of_body(body, number), self.acceleration(k)
+        steady = (
+            number > 0 and not a and all(self.flight_of_body(body, n).speeds[k] == leg.speeds[k] for n in range(number))
+        )
+        before = ZERO if steady else self.displacement(body, number, k, None).expression()
         speed = leg.speeds[k].expression()
         if steady:
             formula = speed * time
         elif a:
-            span = Polynomial.of(self.span(leg, time))
-            formula = before + (leg.speeds[k] * span + (a * span * span).scaled(0.5)).expression()
+            span = Polynomial.from_expression(self.flight_duration(leg, time))
+            formula = before + (leg.speeds[k] * span + (a * span * span).scale(0.5)).expression()
         else:
             formula = before + speed * self._lasting(leg, time)
         if formula == ZERO:
             return NIL
-        mark = ",".join(part for part in (self.mark(body, k), self._instant(time)) if part)
+        mark = ",".join(part for part in (self.motion_subscript(body, k), self._instant(time)) if part)
         step, name = self.book.begin_step(DISPLACEMENT), self.book.fresh("s", mark)
         whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.display_name(body)}"
         says = f"At ${time.name}$ the displacement{whose} is"
@@ -256,7 +258,7 @@ class FreeFlights(ABC):
         step.rest_on(time.name)
         step.add_text(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
-        return Polynomial.of(name)
+        return Polynomial.from_expression(name)
 
     def _instant(self, time: Symbol) -> str:
         """Return a collision number as a subscript if discs collide obliquely at a time; empty at other times."""
@@ -283,7 +285,7 @@ class FreeFlights(ABC):
         upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNED else ""
         return f" along {label}{upward}" if several else ""
 
-    def mark(self, body: str, k: int) -> str:
+    def motion_subscript(self, body: str, k: int) -> str:
         """Return the subscript of a body's quantities along a coordinate: the axis, then the body."""
         mark, label = self.setting.subscript_of(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
@@ -309,6 +311,6 @@ class FreeFlights(ABC):
                     raise UnsolvedError("a wall stands at an angle to the motion")
         return coordinates
 
-    def gap(self, number: int) -> Polynomial:
+    def initial_gap(self, number: int) -> Polynomial:
         """Return the initial gap between two bodies, or body and wall, that may collide."""
         return gap_at_start(self.setting.lexicon, self.frames, number)

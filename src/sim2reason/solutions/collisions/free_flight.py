@@ -9,7 +9,16 @@ from sim2reason.questions.functionals.aggregates import Extreme
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.query import Target
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Symbol,
+    multiply_factors,
+    ratio,
+    sum_terms,
+)
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, Flight, Impact
@@ -36,8 +45,8 @@ def write_nearer_before(flights: Impacts, body: str, leg: Flight, distance: Symb
     level = [j for j in flights.coordinates(body) if j != k]
     if not flights.acceleration(k) or len(level) != 1 or flights.acceleration(level[0]):
         return
-    along = flights.place(body, flights.count(body, impact) + 1, level[0], begins).expression()
-    drop = flights.gap(impact.meeting).expression()
+    along = flights.displacement(body, flights.count(body, impact) + 1, level[0], begins).expression()
+    drop = flights.initial_gap(impact.meeting).expression()
     top = _top(flights, body, k)
     height = drop if top is None or book.value(top) <= book.value(drop) else top
     corner = Root(sum_of_squares([along, height]))
@@ -62,7 +71,7 @@ def write_nearer_before(flights: Impacts, body: str, leg: Flight, distance: Symb
 
 def _top(flights: Impacts, body: str, k: int) -> Expression | None:
     """Return the maximum height of a body above its start; None if it does not rise."""
-    speed, fall = flights.leg(body, 0).speeds[k], flights.acceleration(k).scaled(-2.0)
+    speed, fall = flights.flight_of_body(body, 0).speeds[k], flights.acceleration(k).scale(-2.0)
     rises = bool(speed) and flights.book.value(speed.expression()) > 0.0
     return Power(speed.expression(), 2) / fall.expression() if rises else None
 
@@ -80,50 +89,50 @@ class StruckBodies:
         return self.impact.bodies
 
     @property
-    def told(self) -> str:
+    def collision_name(self) -> str:
         """Return the name of the collision, such as *the second collision of A and B*."""
         return self.flights.collision(self.impact)
 
     @property
-    def loses(self) -> str:
+    def energy_loss_lead(self) -> str:
         """Return the first words of a sentence that gives an energy loss: the reason why kinetic energy is lost."""
         motion = "relative motion" if len(self.bodies) > 1 else "motion perpendicular to the surface"
         left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
-        return f"The {motion}{self._way} {left}, so"
+        return f"The {motion}{self._line_of_centres_words} {left}, so"
 
     @property
-    def pushes(self) -> str:
+    def impulse_lead(self) -> str:
         """Return the first words of a sentence that gives an impulse: the laws from which the impulse follows."""
         e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
         if not pair:
             return "The impulse is the change of momentum, so"
         if e:
-            return f"By conservation of momentum and restitution{self._way},"
-        return f"By conservation of momentum, as no relative velocity{self._way} is left,"
+            return f"By conservation of momentum and restitution{self._line_of_centres_words},"
+        return f"By conservation of momentum, as no relative velocity{self._line_of_centres_words} is left,"
 
     @property
-    def _way(self) -> str:
+    def _line_of_centres_words(self) -> str:
         """Return the words *along the line of centres* for a collision of discs; empty for other collisions."""
         return (
             " along the line of centres" if self.flights.mechanism.meetings[self.impact.meeting].normal is None else ""
         )
 
     @property
-    def lost(self) -> Expression:
+    def energy_loss(self) -> Expression:
         """Return the energy loss, ½ (1 − e²) times the reduced mass times the squared approach speed."""
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting)
-        left = added(ONE, -Power(e.expression(), 2)) if e else ONE
-        half = multiplied(Number(0.5), multiplied(self.flights.effective_mass(self.impact), left))
-        return multiplied(half, squared(closing))
+        left = sum_terms(ONE, -Power(e.expression(), 2)) if e else ONE
+        half = multiply_factors(Number(0.5), multiply_factors(self.flights.effective_mass(self.impact), left))
+        return multiply_factors(half, squared(closing))
 
     @property
-    def push(self) -> Expression:
+    def impulse_magnitude(self) -> Expression:
         """Return the impulse, (1 + e) times the reduced mass times the approach speed."""
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting).expression()
         size = closing if self.flights.book.value(closing) >= 0.0 else -closing
-        return multiplied(multiplied(added(ONE, e), self.flights.effective_mass(self.impact)), size)
+        return multiply_factors(multiply_factors(sum_terms(ONE, e), self.flights.effective_mass(self.impact)), size)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,12 +145,14 @@ class FlightPart(MotionPart):
 
     def path(self, body: str) -> Expression:
         """Return the distance covered by a body on a line during the flight."""
-        own = [k for k in self.flights.coordinates(body) if self.flights.leg(body, 0).speeds.get(k) is not None]
+        own = [
+            k for k in self.flights.coordinates(body) if self.flights.flight_of_body(body, 0).speeds.get(k) is not None
+        ]
         if len(own) != 1 or self.flights.acceleration(own[0]):
             raise UnsolvedError("it turns back in flight, or flies in a plane")
         k = own[0]
-        begin = self.flights.place(body, self.number, k, None)
-        end = self.flights.place(body, self.number, k, self.until)
+        begin = self.flights.displacement(body, self.number, k, None)
+        end = self.flights.displacement(body, self.number, k, self.until)
         distance = (end - begin).expression()
         return distance if self.flights.book.value(distance) >= 0.0 else -distance
 
@@ -170,7 +181,11 @@ def question_at_top(setting: ProblemContext) -> ProblemContext | None:
 def write_highest_point(flights: Impacts, body: str) -> None:
     """Write which velocity component is zero at the highest point of a trajectory."""
     falls = [k for k in flights.coordinates(body) if flights.acceleration(k)]
-    step, book, leg = flights.book.begin_step("moment"), flights.book, flights.leg(body, flights.count(body, None))
+    step, book, leg = (
+        flights.book.begin_step("moment"),
+        flights.book,
+        flights.flight_of_body(body, flights.count(body, None)),
+    )
     zero = f"at the highest point of the path the {_velocity(flights, body, falls[0]) if falls else 'velocity'} is zero"
     if falls and leg.after is not None and not book.in_symbols:
         rising = leg.speeds[falls[0]].expression()
@@ -184,11 +199,11 @@ def write_highest_point(flights: Impacts, body: str) -> None:
 def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynomial:
     """Write the displacement of a body along a coordinate at its turning point, without the time: v² = 2 a s."""
     number, a = flights.count(body, None), flights.acceleration(k)
-    leg = flights.leg(body, number)
-    before, v = flights.place(body, number, k, None), leg.speeds[k].expression()
+    leg = flights.flight_of_body(body, number)
+    before, v = flights.displacement(body, number, k, None), leg.speeds[k].expression()
     step, name = flights.book.begin_step("distance"), flights.book.fresh("s", flights.setting.subscript_of(body))
-    double = multiplied(Number(2.0), a.expression())
-    law = step.law(added(Power(v, 2), multiplied(double, name)), ZERO)
+    double = multiply_factors(Number(2.0), a.expression())
+    law = step.law(sum_terms(Power(v, 2), multiply_factors(double, name)), ZERO)
     formula = ratio(-Power(v, 2), double)
     where = "At the highest point of the path" if top else "There"
     zero = f"{where} the {_velocity(flights, body, k)} is zero"
@@ -198,7 +213,7 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
         f"{zero}{'; then' if leg.after is not None else ', so'} {law} and {step.result(name, formula, METRES)}."
     )
     step.close()
-    return before + Polynomial.of(name)
+    return before + Polynomial.from_expression(name)
 
 
 def _velocity(flights: Impacts, body: str, k: int) -> str:
@@ -220,7 +235,7 @@ def write_omitted_collisions(flights: Impacts, bodies: AbstractSet[str]) -> None
     left = [
         collision
         for collision in early
-        if collision.number not in flights.times and collision.number not in flights.struck
+        if collision.number not in flights.times and collision.number not in flights.velocities_after_impact
     ]
     for impact in left:
         if bodies and bodies.isdisjoint(_affected(impact, early)):

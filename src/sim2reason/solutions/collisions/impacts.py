@@ -4,7 +4,15 @@ from abc import ABC, abstractmethod
 
 from sim2reason.questions.words import ORDINALS
 from sim2reason.scenes.dsl.mechanism import CollisionPair
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Symbol,
+    multiply_factors,
+    ratio,
+    sum_terms,
+)
 from sim2reason.solutions.algebra.functions import Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
@@ -24,7 +32,7 @@ class Impacts(FreeFlights, ABC):
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
         """Write the velocity components of two discs just after their collision, and return them by coordinate."""
 
-    def when(self, impact: Impact) -> Symbol:
+    def collision_time(self, impact: Impact) -> Symbol:
         """Return the symbol of the time of a collision; on first use, write the time."""
         if impact.number not in self.times:
             self.times[impact.number] = self._meets(impact)
@@ -33,7 +41,7 @@ class Impacts(FreeFlights, ABC):
     def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
         """Return, by body, the number of the flight that ends with a collision, and the latest collision before it."""
         legs = {body: self.count(body, impact) for body in impact.bodies}
-        begun = [previous for b, n in legs.items() if (previous := self.leg(b, n).after) is not None]
+        begun = [previous for b, n in legs.items() if (previous := self.flight_of_body(b, n).after) is not None]
         return legs, max(begun, key=lambda previous: previous.number, default=None)
 
     def _meets(self, impact: Impact) -> Symbol:
@@ -43,20 +51,20 @@ class Impacts(FreeFlights, ABC):
             return self.discs_meet(impact)
         ways = self.normal_coordinates(meeting)
         legs, latest = self.latest(impact)
-        since = self.when(latest) if latest is not None else None
-        gap, rate, rise = self.gap(impact.meeting), NIL, NIL
+        since = self.collision_time(latest) if latest is not None else None
+        gap, rate, rise = self.initial_gap(impact.meeting), NIL, NIL
         again = (
             latest is not None
             and latest.meeting == impact.meeting
-            and all(self.leg(b, n).after == latest for b, n in legs.items())
+            and all(self.flight_of_body(b, n).after == latest for b, n in legs.items())
         )
         for body, number in legs.items():
             k, sense = ways[body]
             sign = sense * (1.0 if body == meeting.b else -1.0)
             if not again:
-                gap = gap + self.place(body, number, k, since).scaled(sign)
-            rate = rate + self.velocity(body, number, k, since).scaled(sign)
-            rise = rise + self.acceleration(k).scaled(sign)
+                gap = gap + self.displacement(body, number, k, since).scale(sign)
+            rate = rate + self.velocity(body, number, k, since).scale(sign)
+            rise = rise + self.acceleration(k).scale(sign)
         return self._closed(impact, (NIL if again else gap, rate, rise), since)
 
     def _closed(
@@ -70,15 +78,15 @@ class Impacts(FreeFlights, ABC):
             step.add_text(
                 f"The acceleration of {who} is the same, so their relative velocity is constant until they meet."
             )
-        t = Polynomial.of(name)
+        t = Polynomial.from_expression(name)
         if not rise:
-            law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
-            formula: Expression = ratio(gap.expression(), rate.scaled(-1.0).expression())
+            law = step.law(gap.expression(), (rate.scale(-1.0) * t).collected((name.name,)))
+            formula: Expression = ratio(gap.expression(), rate.scale(-1.0).expression())
         elif not gap:
-            law = step.law(ZERO, (rate * t + (rise * t * t).scaled(0.5)).expression())
-            formula = ratio(rate.scaled(-2.0).expression(), rise.expression())
+            law = step.law(ZERO, (rate * t + (rise * t * t).scale(0.5)).expression())
+            formula = ratio(rate.scale(-2.0).expression(), rise.expression())
         else:
-            law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
+            law = step.law(ZERO, (gap + rate * t + (rise * t * t).scale(0.5)).expression())
             formula = self.root(gap, rate, rise)
         later = self.counted_from(impact, since)
         result = step.result(name, formula, SECONDS)
@@ -95,15 +103,15 @@ class Impacts(FreeFlights, ABC):
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
         """Return the first root t of gap + rate t + ½ rise t² = 0; or the other root, if `rate` is not zero."""
-        double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
+        double = multiply_factors(Number(-2.0), multiply_factors(rise.expression(), gap.expression()))
         v = rate.expression()
         if not rate:
-            return Root(ratio(gap.scaled(-2.0).expression(), rise.expression()))
-        root = Root(added(sum_of_squares([v]), double))
+            return Root(ratio(gap.scale(-2.0).expression(), rise.expression()))
+        root = Root(sum_terms(sum_of_squares([v]), double))
         root = root if first else -root
         if self.book.value(rise.expression()) < 0.0:
-            return ratio(added(root, v), rise.scaled(-1.0).expression())
-        return ratio(added(-v, -root), rise.expression())
+            return ratio(sum_terms(root, v), rise.scale(-1.0).expression())
+        return ratio(sum_terms(-v, -root), rise.expression())
 
     def collision_clause(self, impact: Impact) -> str:
         """Return a clause about a collision, such as *Carts A and B meet again*."""
@@ -143,15 +151,15 @@ class Impacts(FreeFlights, ABC):
 
     def flying_on(self, body: str, number: int, time: Symbol) -> None:
         """Write that a body is still in the air at a time after its rebound from the ground."""
-        leg, book = self.leg(body, number), self.book
+        leg, book = self.flight_of_body(body, number), self.book
         impact, begins = leg.after, self.begins(leg)
         if impact is None or begins is None or impact.bodies != (body,) or begins == time:
             return
         k, _ = self.normal_coordinates(self.mechanism.meetings[impact.meeting])[body]
         if not self.acceleration(k):
             return
-        formula = ratio(leg.speeds[k].scaled(-2.0).expression(), self.acceleration(k).expression())
-        span = self.span(leg, time)
+        formula = ratio(leg.speeds[k].scale(-2.0).expression(), self.acceleration(k).expression())
+        span = self.flight_duration(leg, time)
         if book.is_hidden(formula) or book.is_hidden(span):
             return
         obstacle, planar = self.obstacle(impact.meeting), len(self.coordinates(body)) > 1
@@ -159,7 +167,7 @@ class Impacts(FreeFlights, ABC):
             return
         step, name = book.begin_step("verify"), book.fresh("t", r"\text{flight}")
         record_inequality(book, step, formula, span)
-        self.flown.add((body, number))
+        self.flights_to_moment.add((body, number))
         step.rest_on(span.name)
         equation = step.verified(name, formula, SECONDS)
         if planar and obstacle != "the ground":
@@ -174,7 +182,7 @@ class Impacts(FreeFlights, ABC):
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:
         """Return the velocities of the colliding bodies just after a collision, by coordinate."""
-        if impact.number not in self.struck:
+        if impact.number not in self.velocities_after_impact:
             meeting = self.mechanism.meetings[impact.meeting]
             if meeting.normal is None:
                 velocities = self.discs_part(impact)
@@ -184,44 +192,44 @@ class Impacts(FreeFlights, ABC):
                 for k in self.coordinates(body):
                     if k not in velocities:
                         velocities[k] = self.just_before(impact, body, k)
-            self.struck[impact.number] = velocities
-        return self.struck[impact.number]
+            self.velocities_after_impact[impact.number] = velocities
+        return self.velocities_after_impact[impact.number]
 
     def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
         """Return the velocity along a coordinate just before a collision."""
-        time = self.when(impact) if self.acceleration(k) else None
+        time = self.collision_time(impact) if self.acceleration(k) else None
         return self.velocity(body, self.count(body, impact), k, time)
 
     def restitution(self, number: int) -> Polynomial:
         """Return the coefficient of restitution of two bodies, or body and wall, that collide."""
-        return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
+        return self.setting.lexicon.formula_for(lambda m: m.meetings[number].restitution)
 
     def closing(self, impact: Impact) -> Expression:
         """Return the signed relative velocity along the normal just before a collision."""
         ways = self.normal_coordinates(self.mechanism.meetings[impact.meeting])
-        speeds = [self.just_before(impact, body, k).scaled(sense) for body, (k, sense) in ways.items()]
+        speeds = [self.just_before(impact, body, k).scale(sense) for body, (k, sense) in ways.items()]
         return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
 
     def effective_mass(self, impact: Impact) -> Expression:
         """Return the effective mass of a collision, kg: m against a wall, else the reduced mass m m′/(m + m′)."""
         masses = [self.mass(body).expression() for body in impact.bodies]
-        return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
+        return masses[0] if len(masses) == 1 else ratio(multiply_factors(*masses), sum_terms(*masses))
 
     def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
         """Write the velocities after a collision with a wall."""
         body = impact.bodies[0]
         k, _ = self.normal_coordinates(self.mechanism.meetings[impact.meeting])[body]
         e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
-        step, name = self.book.begin_step("rebound"), self.book.name_after_impact("v", self.mark(body, k))
-        formula = (e * before).scaled(-1.0).expression()
+        step, name = self.book.begin_step("rebound"), self.book.name_after_impact("v", self.motion_subscript(body, k))
+        formula = (e * before).scale(-1.0).expression()
         met = self.collision_clause(impact).replace(" hits ", " rebounds from ")
         if impact.number in self.times:  # the text has just named the wall
             met = f"{capitalized(self.setting.display_name(body))} rebounds"
-        step.add_text(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
+        step.add_text(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._wall_velocity_clause(body, k)}.")
         step.close()
-        return {k: Polynomial.of(name)}
+        return {k: Polynomial.from_expression(name)}
 
-    def _kept(self, body: str, k: int) -> str:
+    def _wall_velocity_clause(self, body: str, k: int) -> str:
         """Return the clause that the velocity along a wall is unchanged; empty on a line or after a first rebound."""
         others = [j for j in self.coordinates(body) if j != k]
         if not others or any(step.kind == "rebound" for step in self.book.steps):
@@ -233,12 +241,12 @@ class Impacts(FreeFlights, ABC):
         ways = self.normal_coordinates(meeting)
         (one, (i, _)), (other, (j, _)) = ways.items()
         u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
-        names = [self.book.name_after_impact("v", self.mark(body, k)) for body, (k, _) in ways.items()]
+        names = [self.book.name_after_impact("v", self.motion_subscript(body, k)) for body, (k, _) in ways.items()]
         m, n = (self.mass(body) for body in (one, other))
         e, step = self.restitution(impact.meeting), self.book.begin_step("impact")
-        x, y = (Polynomial.of(name) for name in names)
+        x, y = (Polynomial.from_expression(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
-        parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
+        parting = step.law((y - x).expression(), multiply_factors(e.expression(), (u - w).expression()))
         known = impact.number in self.times  # the text has just named the bodies
         if any(earlier.kind == "impact" for earlier in self.book.steps):
             step.add_text(f"{'As before' if known else self.collision_clause(impact)}: {momentum} and {parting}.")
@@ -251,11 +259,11 @@ class Impacts(FreeFlights, ABC):
         for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
             step = self.book.begin_step("solve")
             step.rest_on(f"impact {impact.number}")
-            push = (heavy * e).scaled(sign).expression()
-            above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
+            push = (heavy * e).scale(sign).expression()
+            above = sum_terms((m * u + n * w).expression(), multiply_factors(push, (u - w).expression()))
             step.add_text(f"So {step.result(name, ratio(above, total_mass), SPEED)}.")
             step.close()
-        return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
+        return {i: Polynomial.from_expression(names[0]), j: Polynomial.from_expression(names[1])}
 
 
 def _ordinal(number: int) -> str:

@@ -2,9 +2,17 @@
 
 from collections.abc import Sequence
 
-from sim2reason.scenes.dsl.vectors import dot, minus
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares, summed
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Symbol,
+    multiply_factors,
+    ratio,
+    sum_terms,
+)
+from sim2reason.solutions.algebra.functions import Power, Root, sum_formulas, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
@@ -50,10 +58,10 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     step, t = book.begin_step("impact time"), book.fresh("t")
     squared_distance: Expression = ZERO
     for x, w in zip(X, u, strict=True):
-        squared_distance = added(squared_distance, Power(added(x, multiplied(w, t)), 2))
+        squared_distance = sum_terms(squared_distance, Power(sum_terms(x, multiply_factors(w, t)), 2))
     law = step.derived(squared_distance, Power(distance, 2))
     speeds = sum_of_squares(u)
-    along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+    along = sum_formulas(multiply_factors(x, w) for x, w in zip(X, u, strict=True))
     pair = flights.pair_mark(impact.bodies, flights.latest(impact)[1])
     p, q = book.fresh("p", pair), book.fresh("q", pair)
     definitions = [
@@ -65,9 +73,9 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
         c = book.fresh("c", pair)
         definitions.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
         aside = Power(c, 2)
-    square = multiplied(p, Power(distance, 2))
-    quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
-    formula = ratio(added(-q, -Root(added(square, -aside))), p)
+    square = multiply_factors(p, Power(distance, 2))
+    quadratic = step.law(sum_terms(Power(sum_terms(multiply_factors(p, t), q), 2), aside), square)
+    formula = ratio(sum_terms(-q, -Root(sum_terms(square, -aside))), p)
     step.add_text(
         f"{flights.collision_clause(impact)} when {law}. With {join_words(definitions)}, "
         f"this multiplied by ${p.latex()}$ is {quadratic}."
@@ -86,10 +94,10 @@ def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
     known = step.result(x, X[axis], METRES, law=True)
     reach: Expression = distance
     if len(X) > 1 and X[1 - axis] != ZERO:
-        reach = Root(added(Power(distance, 2), -Power(X[1 - axis], 2)))
-    moved = added(x, multiplied(u[axis], t))
+        reach = Root(sum_terms(Power(distance, 2), -Power(X[1 - axis], 2)))
+    moved = sum_terms(x, multiply_factors(u[axis], t))
     law = step.law(sum_of_squares((moved, *X[:axis], *X[axis + 1 :])), Power(distance, 2))
-    formula = ratio(added(_ahead(flights, u[axis], reach), -x), u[axis])
+    formula = ratio(sum_terms(_ahead(flights, u[axis], reach), -x), u[axis])
     who = flights.setting.bodies_phrase(list(impact.bodies))
     step.add_text(f"The relative velocity is along the {labels[axis]} axis. With {known}, {who} meet when {law}.")
     step.add_text(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
@@ -110,7 +118,7 @@ def _ahead(flights: Impacts, velocity: Expression, size: Expression) -> Expressi
 
 def _distance(flights: Impacts, impact: Impact) -> Expression:
     """Return the sum of the radii of two discs."""
-    return flights.setting.lexicon.of(lambda m: m.meetings[impact.meeting].distance).expression()
+    return flights.setting.lexicon.formula_for(lambda m: m.meetings[impact.meeting].distance).expression()
 
 
 def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
@@ -118,16 +126,20 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     if impact.number in flights.relative:
         return flights.relative[impact.number]
     legs, latest = flights.latest(impact)
-    since = flights.when(latest) if latest is not None else None
+    since = flights.collision_time(latest) if latest is not None else None
     one, other = impact.bodies
     lexicon = flights.setting.lexicon
-    places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
+    places = [subtract_triples(f.center(other).place, f.center(one).place) for f in flights.frames]
     components: list[tuple[str, Polynomial, Polynomial]] = []
     for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
         axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
         along = [float(dot(separation, axis)) for separation, axis in zip(places, axes, strict=True)]
         separation = lexicon.read(DualValue(*along))
-        separation = separation + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
+        separation = (
+            separation
+            + flights.displacement(other, legs[other], j, since)
+            - flights.displacement(one, legs[one], i, since)
+        )
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
@@ -185,7 +197,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
         f"{when} {join_words([step.result(n[label], part, '', law=True) for label, part in components.items()])}."
     )
     approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
-    along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
+    along = sum_formulas(multiply_factors(w, m) for w, m in zip(u, n.values(), strict=True))
     step.add_text(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     for label in across:  # needed only for velocities after the collision
@@ -204,14 +216,14 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
     if axis is not None and len(X) > 1:
         aside = ratio(X[1 - axis], distance)
         parts = [aside, aside]
-        parts[axis] = _ahead(flights, u[axis], Root(added(Number(1.0), -Power(aside, 2))))
+        parts[axis] = _ahead(flights, u[axis], Root(sum_terms(Number(1.0), -Power(aside, 2))))
         other = X[1 - axis].latex()
         known = f"The relative velocity is along the {labels[axis]} axis, so ${other}$ does not change. "
         vector = f"the unit vector along the line of centres has the {labels[axis]} component"
         return parts, f"{known}At {flights.collision(impact)} {vector}"
-    time = flights.when(impact)
+    time = flights.collision_time(impact)
     span = time if since is None else flights.time_between(since, time)
-    parts = [ratio(added(x, multiplied(w, span)), distance) for x, w in zip(X, u, strict=True)]
+    parts = [ratio(sum_terms(x, multiply_factors(w, span)), distance) for x, w in zip(X, u, strict=True)]
     return parts, "The unit vector along the line of centres is then"
 
 
@@ -222,8 +234,8 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     m, k = (flights.mass(body).expression() for body in impact.bodies)
     e = flights.restitution(impact.meeting).expression()
     step, push = book.begin_step("impulse"), book.fresh("J", flights.collision_number(impact))
-    reduced = ratio(multiplied(m, k), added(m, k))
-    formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
+    reduced = ratio(multiply_factors(m, k), sum_terms(m, k))
+    formula = -multiply_factors(multiply_factors(sum_terms(Number(1.0), e), reduced), approach)
     lead = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
     step.add_text(f"{lead} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
@@ -233,34 +245,36 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
             before, label = velocities[number], flights.mechanism.coordinates[number].label
             if label not in n:
                 continue
-            step, name = book.begin_step("after"), book.name_after_impact("v", flights.mark(body, number))
-            change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
-            formula = added(before.expression(), change)
+            step, name = book.begin_step("after"), book.name_after_impact("v", flights.motion_subscript(body, number))
+            change = multiply_factors(Number(sign), multiply_factors(ratio(push, mass), n[label]))
+            formula = sum_terms(before.expression(), change)
             step.add_text(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
             step.close()
-            velocities[number] = Polynomial.of(name)
+            velocities[number] = Polynomial.from_expression(name)
     return velocities
 
 
-def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
+def write_nearer_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
     """Write that a body stays within a distance of its start until its last flight, and its direction after that.
 
     With unknown numbers it is written at the end; a symbolic problem assumes it.
     """
     book, number = flights.book, flights.count(body, None)
-    ends = [flights.place(body, n, k, None).expression() for n in range(1, number + 1)]
-    speed = flights.leg(body, number).speeds[k].expression()
+    ends = [flights.displacement(body, n, k, None).expression() for n in range(1, number + 1)]
+    speed = flights.flight_of_body(body, number).speeds[k].expression()
     if book.in_symbols:
         return
     if any(map(book.is_hidden, (*ends, speed, distance))):
-        book.afterwards.append(lambda: _tell(flights, body, k, distance, (ends, speed)))
+        book.afterwards.append(lambda: _write_distance_limit(flights, body, k, distance, (ends, speed)))
     else:
-        _tell(flights, body, k, distance, (ends, speed))
+        _write_distance_limit(flights, body, k, distance, (ends, speed))
 
 
-def _tell(flights: Flights, body: str, k: int, distance: Symbol, motion: tuple[list[Expression], Expression]) -> None:
+def _write_distance_limit(
+    flights: Flights, body: str, k: int, distance: Symbol, motion: tuple[list[Expression], Expression]
+) -> None:
     """Write that a body stays within a distance of its start until its last flight, and its direction then."""
-    book, (ends, speed), leg = flights.book, motion, flights.leg(body, flights.count(body, None))
+    book, (ends, speed), leg = flights.book, motion, flights.flight_of_body(body, flights.count(body, None))
     assert leg.after is not None
     sizes = [-end if book.value(end) < 0.0 else end for end in ends if end != ZERO]
     farthest = max(sizes, key=book.value, default=ZERO)

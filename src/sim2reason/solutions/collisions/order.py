@@ -5,9 +5,9 @@ from dataclasses import replace
 from math import inf
 
 from sim2reason.scenes.dsl.mechanism import CollisionPair
-from sim2reason.scenes.dsl.vectors import dot, minus
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares, summed
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, multiply_factors, ratio, sum_terms
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_formulas, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import (
     Exclusion,
@@ -41,10 +41,10 @@ class CollisionOrder:
         self._first = len(self._book.steps)  # the number of the first step about these flights
         self._early = self._held.early
 
-    def follow(self) -> None:
+    def write_collisions(self) -> None:
         """Write all collisions before the end in the order of time."""
         for impact in self._early:
-            time = self._flights.when(impact)
+            time = self._flights.collision_time(impact)
             self._tell_all(impact, time)
             self._flights.after(impact)
 
@@ -56,28 +56,28 @@ class CollisionOrder:
         for body in flights.mechanism.bodies:
             number = flights.count(body.name, impact)
             for k in flights.coordinates(body.name):
-                flights.place(body.name, number, k, time)
+                flights.displacement(body.name, number, k, time)
                 flights.velocity(body.name, number, k, time)
 
-    def tell(self, until: Symbol | None) -> None:
+    def write_exclusions(self, until: Symbol | None) -> None:
         """Write why no other bodies collide first: at the start, and after each collision where it is not obvious.
 
         `until` is the symbol of the end time; None if the motion has no end.
         """
         self._until = until
         for begins in (None, *self._early):
-            self._tell_apart(begins)
+            self._write_noncolliding_pairs(begins)
             if begins is not None:
                 self._tell_next(begins)
 
-    def _tell_apart(self, begins: Impact | None) -> None:
+    def _write_noncolliding_pairs(self, begins: Impact | None) -> None:
         """Write which pairs of bodies do not collide, given the velocities after a collision or at the start.
 
         At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
         step, exclusions = self._book.begin_step(ORDER), list[Exclusion]()
         for stretch in self._held:
-            if stretch.begins == begins and (begins is None or not stretch.meets):
+            if stretch.begins == begins and (begins is None or not stretch.is_collision):
                 exclusions += filter(None, [self._excluded(step, stretch)])
         last = begins if self._early and begins == self._early[-1] else None
         now, before = (
@@ -92,7 +92,7 @@ class CollisionOrder:
 
     def _tell_next(self, begins: Impact) -> None:
         """Write why two bodies collide next, unless the times of collisions show it."""
-        step, following = self._book.begin_step(ORDER), self._held.following(begins)
+        step, following = self._book.begin_step(ORDER), self._held.next_collision(begins)
         if self._flights.timed or following is None:
             return
         own = (interval for interval in self._held if interval.begins == begins and self._held.is_late(interval))
@@ -116,10 +116,10 @@ class CollisionOrder:
 
     def _excluded(self, step: StepBuilder, held: FreeInterval) -> Exclusion | None:
         """Return the argument why a pair does not collide in an interval; None if obvious or if it collides."""
-        meets = held.meets and not self._held.is_late(held)
+        meets = held.is_collision and not self._held.is_late(held)
         meeting = self._flights.mechanism.meetings[held.meeting]
         just_met = held.begins is not None and held.begins.meeting == held.meeting
-        if meets or any((body, leg) in self._flights.flown for body, leg in held.legs.items()):
+        if meets or any((body, leg) in self._flights.flights_to_moment for body, leg in held.legs.items()):
             return None
         if meeting.normal is None:
             return self._aside(step, held, meeting) if not just_met else self._touching(held)
@@ -130,7 +130,9 @@ class CollisionOrder:
         flights = self._flights
         if flights.restitution(held.meeting):
             return None
-        one, other = ([flights.leg(b, n).speeds[k] for k in flights.coordinates(b)] for b, n in held.legs.items())
+        one, other = (
+            [flights.flight_of_body(b, n).speeds[k] for k in flights.coordinates(b)] for b, n in held.legs.items()
+        )
         relative_velocity = (self._book.value((w - v).expression()) for v, w in zip(one, other, strict=True))
         return self._excluded_by(
             "touching" if any(abs(u) > SPEED_ATOL for u in relative_velocity) else "together", held, ""
@@ -139,15 +141,15 @@ class CollisionOrder:
     def _aside(self, step: StepBuilder, held: FreeInterval, meeting: CollisionPair) -> Exclusion | None:
         """Return the argument why two discs do not collide in an interval; None if they do not move."""
         flights, book = self._flights, self._book
-        d = flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
+        d = flights.setting.lexicon.formula_for(lambda m: m.meetings[held.meeting].distance).expression()
         parts = [part for part in self._relative(held, meeting) if any(map(book.value, part[1:]))]
         if max((abs(book.value(w)) for _, _, w in parts), default=0.0) < MIN_RELATIVE_MOTION:
             return None
         mark = flights.pair_mark(held.legs, held.begins)
         motion, more = RelativeMotion(book, step, mark), RelativeMotion(book, step, mark)
         X, u = zip(*((motion.named(a, x, METRES), motion.named("u", w, SPEED, a)) for a, x, w in parts), strict=True)
-        square, along = sum_of_squares(u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
-        aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
+        square, along = sum_of_squares(u), sum_formulas(multiply_factors(x, w) for x, w in zip(X, u, strict=True))
+        aside = multiply_factors(X[0], u[1]) - multiply_factors(X[1], u[0]) if len(X) > 1 else ZERO
         if book.value(along) >= 0.0:
             record_inequality(book, step, along, ZERO)
             exclusion = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
@@ -161,8 +163,12 @@ class CollisionOrder:
                 more.named(name, part, latex(unit))
                 for name, part, unit in (("p", square, "m^2/s^2"), ("q", along, "m^2/s"), ("c", aside, "m^2/s"))
             )
-            root = Root(added(multiplied(p, Power(d, 2)), -Power(c, 2)) if c != ZERO else multiplied(p, Power(d, 2)))
-            exclusion = self._later(motion, held, -ratio(added(q, root), p))
+            root = Root(
+                sum_terms(multiply_factors(p, Power(d, 2)), -Power(c, 2))
+                if c != ZERO
+                else multiply_factors(p, Power(d, 2))
+            )
+            exclusion = self._later(motion, held, -ratio(sum_terms(q, root), p))
         one, other = map(flights.setting.display_name, meeting.names)
         sentence = f"Position and velocity of {other} relative to {one} {self._when(held)}: {join_words(motion.told)}"
         sentence += f"; hence {join_words(more.told)}." if more.told else "."
@@ -175,13 +181,13 @@ class CollisionOrder:
             flights.normal_coordinates(flights.mechanism.meetings[held.meeting]),
             flights.mechanism.meetings[held.meeting],
         )
-        begin, gap, rate, rise = self._begin(held), flights.gap(held.meeting), NIL, NIL
+        begin, gap, rate, rise = self._begin(held), flights.initial_gap(held.meeting), NIL, NIL
         for body, (k, sense) in ways.items():
             sign = sense * (1.0 if body == meeting.b else -1.0)
             displacement, velocity = self._drift(body, held.legs[body], k, begin)
-            a = flights.acceleration(k).scaled(sign)
-            gap, rate, rise = gap + displacement.scaled(sign), rate + velocity.scaled(sign), rise + a
-        rate, gap = rate + rise * begin, gap + (rise * begin * begin).scaled(0.5)
+            a = flights.acceleration(k).scale(sign)
+            gap, rate, rise = gap + displacement.scale(sign), rate + velocity.scale(sign), rise + a
+        rate, gap = rate + rise * begin, gap + (rise * begin * begin).scale(0.5)
         mark = flights.pair_mark(held.legs, held.begins)
         motion, speed = RelativeMotion(book, step, mark), book.value(rate.expression())
         if rise:
@@ -194,7 +200,7 @@ class CollisionOrder:
             exclusion = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
             return replace(exclusion, limit=flights.obstacle(held.meeting))
         motion.named("d", gap.expression(), METRES)
-        motion.named("u", rate.scaled(-1.0).expression(), SPEED)
+        motion.named("u", rate.scale(-1.0).expression(), SPEED)
         return self._approaching(motion, held, motion.quotient(), " and approaching at")
 
     def _thrown(
@@ -206,12 +212,12 @@ class CollisionOrder:
         planar = any(len(self._flights.coordinates(body)) > 1 for body in held.legs)
         if a > 0.0 and (gap or planar) and (u >= 0.0 or (gap and u * u < 2.0 * a * d)):
             return None
-        distance = Polynomial.of(motion.named("d", gap.expression(), METRES)) if gap else NIL
-        change = Polynomial.of(motion.named("u", rate.expression(), SPEED)) if u else NIL
+        distance = Polynomial.from_expression(motion.named("d", gap.expression(), METRES)) if gap else NIL
+        change = Polynomial.from_expression(motion.named("u", rate.expression(), SPEED)) if u else NIL
         if gap:
             span = self._flights.root(distance, change, rise)
             return self._approaching(motion, held, span, ", a distance that at first changes at the rate")
-        exclusion = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
+        exclusion = self._later(motion, held, ratio(change.scale(-2.0).expression(), rise.expression()))
         obstacle = self._flights.obstacle(held.meeting)
         return replace(
             exclusion, aside=f"which leaves {obstacle} at {join_words(motion.told)}", limit=f"{obstacle} again"
@@ -232,12 +238,12 @@ class CollisionOrder:
         If the two bodies do collide then, this proves that others collide before.
         """
         flights = self._flights
-        ends = self._held.following(held.begins) if held.meets else held.ends
-        end = flights.when(ends) if ends is not None else self._until
+        ends = self._held.next_collision(held.begins) if held.is_collision else held.ends
+        end = flights.collision_time(ends) if ends is not None else self._until
         assert end is not None
-        lasts = added(self._begin(held).expression(), span)
+        lasts = sum_terms(self._begin(held).expression(), span)
         record_inequality(self._book, motion.step, lasts, self._since_start(end).expression())
-        collision_time = span if held.begins is None else added(flights.when(held.begins), span)
+        collision_time = span if held.begins is None else sum_terms(flights.collision_time(held.begins), span)
         oblique = flights.mechanism.meetings[held.meeting].normal is None
         kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
         return self._excluded_by(kind, held, motion.concluded("t", collision_time, SECONDS))
@@ -251,15 +257,15 @@ class CollisionOrder:
     def _relative(self, held: FreeInterval, meeting: CollisionPair) -> Iterator[tuple[str, Expression, Expression]]:
         """Yield each axis with the relative position and velocity of a pair at the start of an interval."""
         flights = self._flights
-        since = None if held.begins is None else flights.when(held.begins)
+        since = None if held.begins is None else flights.collision_time(held.begins)
         one, other = meeting.names
-        places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
+        places = [subtract_triples(f.center(other).place, f.center(one).place) for f in flights.frames]
         lexicon = flights.setting.lexicon
         for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
             axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
             along = [float(dot(separation, axis)) for separation, axis in zip(places, axes, strict=True)]
             (s, v), (r, w) = (
-                (flights.place(b, held.legs[b], k, since), flights.velocity(b, held.legs[b], k, since))
+                (flights.displacement(b, held.legs[b], k, since), flights.velocity(b, held.legs[b], k, since))
                 for b, k in ((one, i), (other, j))
             )
             axis = flights.mechanism.coordinates[i].label
@@ -270,7 +276,7 @@ class CollisionOrder:
         flights, a = self._flights, self._flights.acceleration(k)
         displacement, before, velocity = NIL, NIL, NIL
         for n in range(number + 1):
-            leg = flights.leg(body, n)
+            leg = flights.flight_of_body(body, n)
             begins = self._since_start(flights.begins(leg))
             displacement = displacement + velocity * (begins - before)
             velocity, before = leg.speeds[k] - a * begins, begins
@@ -278,7 +284,7 @@ class CollisionOrder:
 
     def _begin(self, held: FreeInterval) -> Polynomial:
         """Return the time at which an interval begins."""
-        return self._since_start(None if held.begins is None else self._flights.when(held.begins))
+        return self._since_start(None if held.begins is None else self._flights.collision_time(held.begins))
 
     def _since_start(self, time: Symbol | None) -> Polynomial:
         """Return a time since t = 0 as a sum of the durations that have symbols in the text."""
@@ -286,8 +292,8 @@ class CollisionOrder:
             return NIL
         if time in self._flights.sums:
             begins, span = self._flights.sums[time]
-            return self._since_start(begins) + Polynomial.of(span)
-        return Polynomial.of(time)
+            return self._since_start(begins) + Polynomial.from_expression(span)
+        return Polynomial.from_expression(time)
 
     # ---- words
 
@@ -299,11 +305,15 @@ class CollisionOrder:
         """Return words for the instant at which an interval begins, such as *at t = 0*."""
         if held.begins is None:
             return "at t = 0"
-        return f"just after {self._flights.event(self._flights.when(held.begins))}"
+        return f"just after {self._flights.event(self._flights.collision_time(held.begins))}"
 
     def _lead(self, begins: Impact | None) -> str:
         """Return words that begin a sentence about the motion after a collision, or undisturbed from the start."""
-        return f"After {self._flights.event(self._flights.when(begins))}," if begins is not None else "Undisturbed,"
+        return (
+            f"After {self._flights.event(self._flights.collision_time(begins))},"
+            if begins is not None
+            else "Undisturbed,"
+        )
 
     def _hence(self, begins: Impact | None) -> str:
         """Return the last clause of a sentence: which pair collides first, or that no pair collides; may be empty."""

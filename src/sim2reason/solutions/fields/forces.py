@@ -81,7 +81,7 @@ class Fields:
 
     def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
         """Return a number of the mechanism in the symbols of the text."""
-        return self.setting.lexicon.of(number)
+        return self.setting.lexicon.formula_for(number)
 
     def _of(self, kind: type) -> int | None:
         """Return the index of the body's force of a given kind; None if no such force acts."""
@@ -90,7 +90,7 @@ class Fields:
     # ---- what acts
 
     @cached_property
-    def clock(self) -> Symbol:
+    def running_time(self) -> Symbol:
         """Return the symbol τ of the running time since the start."""
         return self.book.fresh(r"\tau")
 
@@ -121,7 +121,7 @@ class Fields:
         )
 
     @cached_property
-    def damping(self) -> Symbol | None:
+    def linear_drag_rate(self) -> Symbol | None:
         """Return b/m, the linear drag per unit mass and velocity; None without linear drag."""
         number = self._of(Resistance)
         if number is None or self.has_quadratic_drag:
@@ -151,7 +151,7 @@ class Fields:
         return self.book.add_step("field", text, self.book.fresh(r"\gamma"), formula, PER_SECOND)
 
     @cached_property
-    def drive(self) -> ElectricAcceleration | None:
+    def electric_acceleration(self) -> ElectricAcceleration | None:
         """Write the electric acceleration and return it; None without an electric field."""
         number = self._of(Push)
         if number is None:
@@ -165,7 +165,7 @@ class Fields:
         text = f"{self._charge}{where}{text if where else capitalized(text)}"
         name = self.book.add_step("field", text, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
-        if profile.phase and (self.turning is not None or self.damping is not None or self.has_quadratic_drag):
+        if profile.phase and (self.turning is not None or self.linear_drag_rate is not None or self.has_quadratic_drag):
             raise UnsolvedError("the field begins with a phase of its own")
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
@@ -224,26 +224,28 @@ class Fields:
         """Write the equations of motion and return the label of that step."""
         step = self.book.begin_step("equations of motion")
         if self.has_quadratic_drag:
-            factor = (ONE + self.drag * self.clock).latex()
+            factor = (ONE + self.drag * self.running_time).latex()
             turns = "" if self.turning is None else ", and the magnetic force only rotates the velocity"
             step.add_text("The drag is proportional to the square of the speed, so the reciprocal of the speed grows")
             step.add_text(
-                f"uniformly with time: at the time ${self.clock.latex()}$ the speed is that at the start, divided by"
+                f"uniformly with time: at the time ${self.running_time.latex()}$ the speed is that at the start, divided by"
             )
             step.add_text(f"${factor}${turns}.")
             step.label(LAW)
             step.close()
             return LAW
         (vx, vy), places = self.velocity, self.places
-        sides = [self.acceleration(n, self.clock, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)]
+        sides = [
+            self.acceleration(n, self.running_time, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)
+        ]
         rate = r"\dot{v}"
         equations = [
             rf"${name.name.replace('v', rate, 1)} = {plain_latex(side)}$"
             for name, side in zip(self.velocity, sides, strict=True)
         ]
         both = f"${vx.latex()}$ and ${vy.latex()}$"
-        timed = any(self.clock.name in side.symbols() for side in sides)
-        when = f" at the time ${self.clock.latex()}$" if timed else ""
+        timed = any(self.running_time.name in side.symbols() for side in sides)
+        when = f" at the time ${self.running_time.latex()}$" if timed else ""
         step.add_text(f"Let {both} be the components of the velocity{when}.")
         step.add_text(f"The equations of motion are {join_words(equations)}, by Newton's second law.")
         step.label(LAW)
@@ -255,20 +257,20 @@ class Fields:
     ) -> Expression:
         """Return the acceleration along an axis: the sum of all forces over the mass."""
         total: Expression = ZERO
-        if self.drive is not None and self.drive.axis == axis:
-            total = total + self.drive.at(time, moved)
+        if self.electric_acceleration is not None and self.electric_acceleration.axis == axis:
+            total = total + self.electric_acceleration.at(time, moved)
         if self.turning is not None:
             total = total + self.turning * rate(1 - axis) * TURNS[axis]
-        if self.damping is not None:
-            total = total - self.damping * rate(axis)
+        if self.linear_drag_rate is not None:
+            total = total - self.linear_drag_rate * rate(axis)
         if self.drag != ZERO:
             total = total - self.drag / (ONE + self.drag * time) * rate(axis)
         return total
 
     def speed(self, first: Expression, time: Expression) -> Expression:
         """Return the speed at a time, m/s, if only drag has changed it since the start."""
-        if self.damping is not None:
-            return first * Call("exp", -(self.damping * time))
+        if self.linear_drag_rate is not None:
+            return first * Call("exp", -(self.linear_drag_rate * time))
         return first / (ONE + self.drag * time)
 
 

@@ -10,7 +10,7 @@ from math import cos, pi, sin
 
 from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import initial_frames
-from sim2reason.scenes.dsl.vectors import minus
+from sim2reason.scenes.dsl.vectors import subtract_triples
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares, vector_length
@@ -36,7 +36,7 @@ class KeplerOrbit:
         self._mark = "" if alone else setting.subscript_of(body)
         lexicon = setting.lexicon
         sides = [(m, initial_frames(m)) for m in (lexicon.mechanism, lexicon.twin)]
-        places = [minus(f.center(body).place, f.center(center).place) for _, f in sides]
+        places = [subtract_triples(f.center(body).place, f.center(center).place) for _, f in sides]
         self.numbers = [lexicon.mechanism.number[c.name] for c in lexicon.mechanism.body[body].coordinates]
         rates = [[m.coordinates[k].speed for k in self.numbers] for m, _ in sides]
         axis = [[abs(part) > 0.5 for part in lexicon.mechanism.coordinates[k].axis].index(True) for k in self.numbers]
@@ -153,7 +153,7 @@ class KeplerOrbit:
         formula = self.axis * (ONE + e if far else ONE - e)
         return self.book.add_step("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
 
-    def tell_approach(self, *, far: bool) -> None:
+    def write_approach(self, *, far: bool) -> None:
         """Write that the body reaches an apsis within half a turn, if it initially moves towards it."""
         if (
             self.position_dot_velocity == ZERO

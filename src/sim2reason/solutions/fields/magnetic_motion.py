@@ -3,7 +3,7 @@
 from functools import reduce
 
 from sim2reason.base.records import cached_property
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiply_factors
 from sim2reason.solutions.algebra.functions import Call, Power, Root, vector_length
 from sim2reason.solutions.fields.forces import AXES, TURNS, ElectricAcceleration, Fields
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
@@ -28,7 +28,7 @@ class CrossedFieldsMotion(ElectricMotion):
         return self.fields.turning
 
     @cached_property
-    def push(self) -> Expression:
+    def initial_acceleration(self) -> Expression:
         """Return the initial acceleration along the electric field, with the magnetic force."""
         axis = self._drive.axis
         turned = self._turning * self.launch[1 - axis] * TURNS[axis]
@@ -48,7 +48,7 @@ class CrossedFieldsMotion(ElectricMotion):
         text = f"{text} {along} changes with {along} at the rate"
         return self.named(text, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
-    def moved(self, axis: int, time: Expression) -> Expression:
+    def displacement(self, axis: int, time: Expression) -> Expression:
         """Return a displacement component: an oscillation along the electric field, an integral across it."""
         along = self._drive.axis
         if axis == along:
@@ -85,7 +85,7 @@ class QuadraticDragMotion(FieldMotion):
             component = component * Call("cos", turning * time) + across * Call("sin", turning * time)
         return component / (ONE + self.fields.drag * time)
 
-    def moved(self, axis: int, time: Expression) -> Expression:
+    def displacement(self, axis: int, time: Expression) -> Expression:
         """Raise UnsolvedError: the displacement has no closed form."""
         del axis, time
         raise UnsolvedError("the way in such a medium has no closed form")
@@ -100,10 +100,10 @@ class RotatingMotion(FieldMotion):
     def __init__(self, fields: Fields, launch: list[Expression]) -> None:
         """Take the fields and the initial velocity; UnsolvedError for an electric field that depends on position."""
         super().__init__(fields, launch)
-        turning, drive = fields.turning, fields.drive
+        turning, drive = fields.turning, fields.electric_acceleration
         assert turning is not None
         changing = drive is not None and (drive.growth is not None or drive.frequency is not None)
-        if drive is not None and (drive.slope is not None or (changing and fields.damping is not None)):
+        if drive is not None and (drive.slope is not None or (changing and fields.linear_drag_rate is not None)):
             raise UnsolvedError("a magnetic field with an electric one that depends on the place")
         self.turning: Symbol = turning
         self.drive = drive
@@ -116,9 +116,9 @@ class RotatingMotion(FieldMotion):
         if drive is None:
             return drift
         i, f, turns = drive.axis, drive.strength, self.turning
-        if self.fields.damping is not None:
-            both = Power(self.fields.damping, 2) + Power(turns, 2)
-            drift[i], drift[1 - i] = self.fields.damping * f / both, -(turns * f / both) * TURNS[i]
+        if self.fields.linear_drag_rate is not None:
+            both = Power(self.fields.linear_drag_rate, 2) + Power(turns, 2)
+            drift[i], drift[1 - i] = self.fields.linear_drag_rate * f / both, -(turns * f / both) * TURNS[i]
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
             drift[i], drift[1 - i] = f * drive.frequency / gap, f * turns / gap * TURNS[i]
@@ -155,7 +155,7 @@ class RotatingMotion(FieldMotion):
             return f"Their constant solution is the drift velocity ${names[axis].latex()}$ along {AXES[axis]}, with"
         else:
             what = "a constant drift velocity"
-        parts = [self._kept_as(drive, names[n], n, self.fields.clock).latex() for n in (0, 1)]
+        parts = [self._drift_velocity_of(drive, names[n], n, self.fields.running_time).latex() for n in (0, 1)]
         return (
             f"A particular solution is {what} with the components ${parts[0]}$ along x and ${parts[1]}$ along y, where"
         )
@@ -166,8 +166,8 @@ class RotatingMotion(FieldMotion):
         for axis in (0, 1):
             right: Expression = drive.strength if axis == drive.axis else ZERO
             right = right + self.turning * names[1 - axis] * TURNS[axis]
-            if self.fields.damping is not None:
-                right = right - self.fields.damping * names[axis]
+            if self.fields.linear_drag_rate is not None:
+                right = right - self.fields.linear_drag_rate * names[axis]
             if drive.frequency is not None:
                 left = drive.frequency * names[axis]
                 equations.append((left if axis == drive.axis else -left, right))
@@ -178,9 +178,9 @@ class RotatingMotion(FieldMotion):
         return equations
 
     @cached_property
-    def turned(self) -> list[Expression]:
+    def initial_rotating_velocity(self) -> list[Expression]:
         """Write and return the initial components of the velocity relative to the drift, which rotates."""
-        still = [self._kept(axis, None) for axis in (0, 1)]
+        still = [self._drift_velocity(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
         step, phrases = self.book.begin_step("motion"), list[str]()
         step.rest_on(self.fields.law)
@@ -193,7 +193,11 @@ class RotatingMotion(FieldMotion):
                 components.append(name := self.book.fresh("w", axis))
                 rendered = step.result(name, formula, SPEED, law=True)
             phrases.append(f"the {axis} component {rendered}")
-        decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
+        decays = (
+            ""
+            if self.fields.linear_drag_rate is None
+            else f" and decays as ${self._left(self.fields.running_time).latex()}$"
+        )
         turns = f"rotates at ${self.turning.latex()}${decays}"
         if self.drive is None:
             step.add_text(f"The velocity {turns}.")
@@ -205,14 +209,14 @@ class RotatingMotion(FieldMotion):
 
     def _left(self, time: Expression) -> Expression:
         """Return the factor by which linear drag has reduced the rotating part of the velocity at a time."""
-        assert self.fields.damping is not None
-        return Call("exp", -(self.fields.damping * time))
+        assert self.fields.linear_drag_rate is not None
+        return Call("exp", -(self.fields.linear_drag_rate * time))
 
-    def _kept(self, axis: int, time: Expression | None) -> Expression:
+    def _drift_velocity(self, axis: int, time: Expression | None) -> Expression:
         """Return the drift velocity along an axis at a time; for None, the drift velocity at the start."""
-        return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
+        return ZERO if self.drive is None else self._drift_velocity_of(self.drive, self._drift[axis], axis, time)
 
-    def _kept_as(
+    def _drift_velocity_of(
         self, drive: ElectricAcceleration, drift: Expression, axis: int, time: Expression | None
     ) -> Expression:
         """Return the drift velocity along an axis at a time, given its amplitude."""
@@ -224,7 +228,7 @@ class RotatingMotion(FieldMotion):
             return drift - drive.growth / self.turning * time * TURNS[drive.axis]
         return drift
 
-    def carried(self, axis: int, time: Expression) -> Expression:
+    def drift_displacement(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis, m, due to the drift velocity."""
         drive, drift = self.drive, self._drift[axis]
         if drive is None:
@@ -241,14 +245,18 @@ class RotatingMotion(FieldMotion):
     @cached_property
     def _heading(self) -> tuple[Expression, Expression] | None:
         """Return the initial speed and direction if only the magnetic force acts; None otherwise."""
-        alone = self.drive is None and self.fields.damping is None
+        alone = self.drive is None and self.fields.linear_drag_rate is None
         x, y = (component.factors if isinstance(component, Product) else () for component in self.launch)
         if not alone or not x or not y or x[:-1] != y[:-1]:
             return None
         one, other = x[-1], y[-1]
         if not (isinstance(one, Call) and isinstance(other, Call) and one.argument == other.argument):
             return None
-        return (reduce(multiplied, x[:-1]), one.argument) if (one.function, other.function) == ("cos", "sin") else None
+        return (
+            (reduce(multiply_factors, x[:-1]), one.argument)
+            if (one.function, other.function) == ("cos", "sin")
+            else None
+        )
 
     def lead_text(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence about a displacement or velocity."""
@@ -265,32 +273,32 @@ class RotatingMotion(FieldMotion):
 
     def course(self, axis: int, time: Expression) -> Expression:
         """Return a velocity component in terms of the initial components."""
-        here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
+        here, other = self.initial_rotating_velocity[axis], self.initial_rotating_velocity[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
-        if self.fields.damping is not None:
+        if self.fields.linear_drag_rate is not None:
             turned = self._left(time) * turned
-        return self._kept(axis, time) + turned
+        return self._drift_velocity(axis, time) + turned
 
-    def moved(self, axis: int, time: Expression) -> Expression:
+    def displacement(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis, m: the integral of the velocity."""
-        here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
-        turns, damping, phase = self.turning, self.fields.damping, self.turning * time
+        here, other = self.initial_rotating_velocity[axis], self.initial_rotating_velocity[1 - axis] * TURNS[axis]
+        turns, damping, phase = self.turning, self.fields.linear_drag_rate, self.turning * time
         sine, cosine = Call("sin", phase), Call("cos", phase)
         if damping is None:
-            return self.carried(axis, time) + (here * sine + other * (ONE - cosine)) / turns
+            return self.drift_displacement(axis, time) + (here * sine + other * (ONE - cosine)) / turns
         left, both = self._left(time), Power(damping, 2) + Power(turns, 2)
         even = damping - left * (damping * cosine - turns * sine)
         odd = turns - left * (turns * cosine + damping * sine)
-        return self.carried(axis, time) + (here * even + other * odd) / both
+        return self.drift_displacement(axis, time) + (here * even + other * odd) / both
 
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
         """Return step kind, sentence, symbol and formula of the extreme speed in uniform fields: drift ± rotation."""
         if all(part == ZERO for part in self._drift):
             text = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
-            return "extremum", text, self.book.fresh("v"), vector_length(self.turned)
+            return "extremum", text, self.book.fresh("v"), vector_length(self.initial_rotating_velocity)
         sizes: list[Expression] = []
-        for parts in (self._drift, self.turned):
+        for parts in (self._drift, self.initial_rotating_velocity):
             kept = [part for part in parts if part != ZERO]
             square = Power(parts[0], 2) + Power(parts[1], 2)
             size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]

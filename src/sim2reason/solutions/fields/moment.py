@@ -14,7 +14,7 @@ from sim2reason.solutions.algebra.root_finding import SMALLEST, root_sentence
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import CrossedFieldsMotion, QuadraticDragMotion, RotatingMotion
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
-from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn, Reach, fastest_at_center
+from sim2reason.solutions.fields.turns import REACHES, TURN_MOMENTS, FieldTurn, Reach, fastest_at_center
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
 from sim2reason.solutions.writing.notation import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
@@ -44,12 +44,12 @@ class FieldMoment:
             return name
         if isinstance(moment, Stopped):
             return self._stopped(name)
-        if isinstance(moment, TURNED):
+        if isinstance(moment, TURN_MOMENTS):
             return self.turn.time(name, self.launched)
         assert isinstance(moment, Away)
         distance = self.book.fresh("d")
         self.book.state_given(distance.name, moment.value, METRES)
-        if self.fields.drive is None and self.fields.damping is None:
+        if self.fields.electric_acceleration is None and self.fields.linear_drag_rate is None:
             return self._chord(distance, name)
         square, level = self._distance(name), Power(distance, 2)
         step = self.book.begin_step("time")
@@ -69,7 +69,7 @@ class FieldMoment:
 
     def _stopped(self, name: Symbol) -> Symbol:
         """Write the time at which a body on a line comes to rest."""
-        drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
+        drive, rates = self.fields.electric_acceleration, [self.motion.rate(axis, name) for axis in (0, 1)]
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self._from_rest:
             size = self.book.magnitude(turns)
@@ -84,7 +84,7 @@ class FieldMoment:
             raise UnsolvedError("it does not move to and fro on a line by a constant force")
         step, who = self.book.begin_step("stop"), capitalized(self.setting.display_name(self.fields.body))
         step.add_text(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
-        if drive.growth is None and drive.slope is None and self.fields.damping is None:
+        if drive.growth is None and drive.slope is None and self.fields.linear_drag_rate is None:
             formula = -(self.fields.launch[drive.axis] / drive.strength)
             step.add_text(f"So {step.result(name, formula, SECONDS)}.")
         else:
@@ -95,8 +95,8 @@ class FieldMoment:
         return name
 
     def _course(self, *, moved: bool = False) -> str:
-        """Return a sentence with the velocity as a function of time; with `moved`, also that its integral is used."""
-        time = self.fields.clock
+        """Return a sentence with the velocity as a function of time; with `displacement`, also that its integral is used."""
+        time = self.fields.running_time
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
         phrases = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
         text = f"At the time ${time.latex()}$ the velocity is {join_words(phrases)}"
@@ -104,7 +104,7 @@ class FieldMoment:
 
     def _distance(self, time: Symbol) -> Expression:
         """Return the squared distance from the start, m², as a function of time."""
-        return sum_of_squares([self.motion.moved(axis, time) for axis in (0, 1)])
+        return sum_of_squares([self.motion.displacement(axis, time) for axis in (0, 1)])
 
     @cached_property
     def circle(self) -> Symbol:
@@ -135,23 +135,23 @@ class FieldMoment:
         fields = self.fields
         if fields.has_field:
             return self.turn.speed(self.launched) if fields.turning is None else None
-        if fields.damping is None and not fields.has_quadratic_drag:
+        if fields.linear_drag_rate is None and not fields.has_quadratic_drag:
             return self.launched
         text = "The magnetic force does no work, so only the drag changes the speed:"
         return self.book.add_step("speed", text, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
 
     @cached_property
-    def pull(self) -> Expression | None:
+    def acceleration_magnitude(self) -> Expression | None:
         """Return the magnitude of the acceleration at the moment in uniform fields; None in others."""
         fields = self.fields
-        drive, first = fields.drive, fields.launch
+        drive, first = fields.electric_acceleration, fields.launch
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
         if changing or fields.turning is None or fields.has_quadratic_drag:
             return None
         parts = [fields.acceleration(axis, ZERO, lambda n: first[n], lambda _: ZERO) for axis in (0, 1)]
         begun, name = self._size(parts), self.book.fresh("a", "0")
         begun = self.book.add_step("newton", "The acceleration at the start is", name, begun, ACCELERATION)
-        if fields.damping is None:
+        if fields.linear_drag_rate is None:
             return begun
         text = "In uniform fields the magnetic force only rotates the acceleration, and the drag makes"
         formula = fields.speed(begun, self.time)
@@ -169,17 +169,17 @@ class FieldMoment:
     @property
     def _uniform(self) -> bool:
         """Return whether the fields are uniform and constant, without drag."""
-        drive = self.fields.drive
+        drive = self.fields.electric_acceleration
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
-        return not changing and self.fields.damping is None
+        return not changing and self.fields.linear_drag_rate is None
 
     def extreme(self, query: StretchQuery) -> Symbol:
         """Write the greatest or least value of a functional over the motion, and return its symbol."""
         fields = self.fields
         if query.functional in REACHES:
-            return Reach(self.motion, REACHES[query.functional], self.launched).written()
+            return Reach(self.motion, REACHES[query.functional], self.launched).write_distance()
         if query.functional == "greatest displacement":
-            if fields.drive is None and fields.damping is None:
+            if fields.electric_acceleration is None and fields.linear_drag_rate is None:
                 text = "The greatest distance is the diameter of the circle,"
                 return self.book.add_step("chord", text, self.book.fresh("d"), TWO * self.circle, METRES)
             return self._farthest()
@@ -195,30 +195,30 @@ class FieldMoment:
     def _farthest(self) -> Symbol:
         """Write the greatest distance, where the displacement is perpendicular to the velocity."""
         time = self.fields.instant
-        parts = [self.motion.moved(axis, time) for axis in (0, 1)]
+        parts = [self.motion.displacement(axis, time) for axis in (0, 1)]
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
         text = "The distance is extreme where the displacement is perpendicular to the velocity"
-        self._turned(parts, 1.0, kept[0] + kept[1], text, moved=True)
+        self._write_extreme_time(parts, 1.0, kept[0] + kept[1], text, moved=True)
         return self.book.add_step(
             "extremum", "There the distance is", self.book.fresh("d"), Root(sum_of_squares(parts)), METRES
         )
 
     def _fastest(self, sign: float) -> Symbol:
         """Write the extreme speed, where the total power of electric force and drag is zero."""
-        time, drive = self.fields.instant, self.fields.drive
+        time, drive = self.fields.instant, self.fields.electric_acceleration
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         near = self._sampled(time, rates, sign)
         if drive is None:
             raise UnsolvedError("the medium only slows it")
-        pull = drive.at(time, lambda axis: self.motion.moved(axis, time))
+        pull = drive.at(time, lambda axis: self.motion.displacement(axis, time))
         at = {**self.book.values, time.name: near}
-        if self.fields.damping is not None:
-            work = pull * rates[drive.axis] - self.fields.damping * sum_of_squares(rates)
+        if self.fields.linear_drag_rate is not None:
+            work = pull * rates[drive.axis] - self.fields.linear_drag_rate * sum_of_squares(rates)
             text = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
-            self._turned(rates, sign, work, text)
+            self._write_extreme_time(rates, sign, work, text)
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
             halves = round(drive.angle(time).value(at).real / np.pi - 0.5)
             text = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
@@ -227,7 +227,7 @@ class FieldMoment:
             self.book.add_step("extremum", text, time, turned / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(sum_of_squares(rates).value(at).real) ** 0.5
-            if slow and isinstance(self.motion, CrossedFieldsMotion) and self.motion.swings and self._from_rest:
+            if slow and isinstance(self.motion, CrossedFieldsMotion) and self.motion.is_oscillating and self._from_rest:
                 return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
             if not slow and sign > 0.0 and (speed := fastest_at_center(self.fields, self.launched)) is not None:
@@ -241,7 +241,7 @@ class FieldMoment:
                 step.add_text(self._course(), f"{text}: {law}, so {equation}.")
                 step.close()
             else:
-                self._turned(rates, sign, rates[drive.axis] if slow else pull, text)
+                self._write_extreme_time(rates, sign, rates[drive.axis] if slow else pull, text)
         return self.book.add_step("extremum", "The speed is then", self.book.fresh("v"), self._size(rates), SPEED)
 
     @property
@@ -263,7 +263,7 @@ class FieldMoment:
         formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
         return self.book.add_step("extremum", text, self.book.fresh("v"), formula, SPEED)
 
-    def _turned(
+    def _write_extreme_time(
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
     ) -> None:
         """Write the time at which a vector has its extreme magnitude, as a zero of the condition `residual`."""
@@ -289,11 +289,11 @@ def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
     """Return the motion in given fields; UnsolvedError if it has no closed form here."""
     if fields.has_quadratic_drag:
         return QuadraticDragMotion(fields, launch)
-    drive = fields.drive  # evaluated first so that its sentence comes first
+    drive = fields.electric_acceleration  # evaluated first so that its sentence comes first
     if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
         return CrossedFieldsMotion(fields, launch)
     if fields.turning is not None:
         return RotatingMotion(fields, launch)
-    if fields.damping is not None:
+    if fields.linear_drag_rate is not None:
         raise UnsolvedError("a resistance without a magnetic field")
     return ElectricMotion(fields, launch)

@@ -19,7 +19,7 @@ class FieldMotion(ABC):
         self.fields, self.launch, self.book = fields, launch, fields.book
 
     @abstractmethod
-    def moved(self, axis: int, time: Expression) -> Expression:
+    def displacement(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis after a time."""
 
     @abstractmethod
@@ -52,7 +52,7 @@ class ElectricMotion(FieldMotion):
 
     def lead_text(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence about a displacement or velocity, with the law that gives it."""
-        drive = self.fields.drive
+        drive = self.fields.electric_acceleration
         if drive is None or drive.axis != axis:
             return super().lead_text(kind, axis, time)
         who, along = self.fields.setting.display_name(self.fields.body), AXES[axis]
@@ -63,9 +63,9 @@ class ElectricMotion(FieldMotion):
             return f"Integrated from 0 to ${time.latex()}$, the equation of motion gives the velocity along {along},"
         return super().lead_text(kind, axis, time)
 
-    def moved(self, axis: int, time: Expression) -> Expression:
+    def displacement(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis: the acceleration integrated twice."""
-        drive, plain = self.fields.drive, self.launch[axis] * time
+        drive, plain = self.fields.electric_acceleration, self.launch[axis] * time
         if drive is None or drive.axis != axis:
             return plain
         if drive.frequency is not None:
@@ -80,14 +80,14 @@ class ElectricMotion(FieldMotion):
 
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return the velocity along an axis: the acceleration integrated once."""
-        drive, plain = self.fields.drive, self.launch[axis]
+        drive, plain = self.fields.electric_acceleration, self.launch[axis]
         if drive is None or drive.axis != axis:
             return plain
         if drive.frequency is not None:
             swung = plain + drive.strength / drive.frequency * Call("sin", drive.angle(time))
             return swung - self._drift(drive) if drive.phase != ZERO else swung
         if drive.slope is not None and drive.along == axis:
-            return plain * self._even(time) + self.push * self._odd(time)
+            return plain * self._even(time) + self.initial_acceleration * self._odd(time)
         second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
         velocity = plain + drive.strength * time
         return velocity + HALF * second * Power(time, 2) if second is not None else velocity
@@ -102,11 +102,11 @@ class ElectricMotion(FieldMotion):
     @property
     def _drive(self) -> ElectricAcceleration:
         """Return the electric acceleration."""
-        assert self.fields.drive is not None
-        return self.fields.drive
+        assert self.fields.electric_acceleration is not None
+        return self.fields.electric_acceleration
 
     @cached_property
-    def push(self) -> Expression:
+    def initial_acceleration(self) -> Expression:
         """Return the initial acceleration along the field."""
         return self._drive.strength
 
@@ -121,7 +121,7 @@ class ElectricMotion(FieldMotion):
         return self.center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
 
     @cached_property
-    def swings(self) -> bool:
+    def is_oscillating(self) -> bool:
         """Return whether the net force is a restoring force."""
         return self.book.value(self.slope) < 0.0
 
@@ -129,7 +129,7 @@ class ElectricMotion(FieldMotion):
     def frequency(self) -> Expression:
         """Return the angular frequency of the oscillation along the field, or the rate of its exponential growth."""
         along = AXES[self._drive.axis]
-        if self.swings:
+        if self.is_oscillating:
             text = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
             return self.named(text, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
         text = f"The equation along {along} is linear; apart from a constant its solutions are exponentials"
@@ -141,16 +141,16 @@ class ElectricMotion(FieldMotion):
         """Return the position at which the component of the net force along the field is zero."""
         along = AXES[self._drive.axis]
         text = f"The {along} component of the net force is zero at {along} equal to"
-        return self.named(text, along, "c", -(self.push / self.slope), METRES)
+        return self.named(text, along, "c", -(self.initial_acceleration / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """Return cos ωt for an oscillation along the field, or cosh λt for exponential growth."""
         phase = self.frequency * time
-        return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
+        return Call("cos", phase) if self.is_oscillating else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
         """Return sin(ωt)/ω for an oscillation along the field, or sinh(λt)/λ for exponential growth."""
         phase = self.frequency * time
-        if self.swings:
+        if self.is_oscillating:
             return Call("sin", phase) / self.frequency
         return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self.frequency)

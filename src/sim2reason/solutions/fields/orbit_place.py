@@ -20,7 +20,7 @@ class OrbitPlace(ABC):
         self._names: dict[tuple[str, int], Symbol] = {}
 
     @cached_property
-    def grown(self) -> Expression:
+    def anomaly_increase(self) -> Expression:
         """Return the increase of the eccentric anomaly since the start, in radians."""
         return self._anomaly()
 
@@ -100,7 +100,7 @@ class OrbitPlace(ABC):
 DIRECTION, VELOCITY = "direction of the line", "components of the velocity"  # labels of steps
 
 
-class Turned(OrbitPlace):
+class PositionAfterTurn(OrbitPlace):
     """The position after the line to a body has turned by 90° or 180°, by the polar equation of the conic."""
 
     def __init__(self, orbit: KeplerOrbit, quarters: int) -> None:

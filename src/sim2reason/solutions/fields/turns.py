@@ -28,7 +28,7 @@ class Reach:
         """Take the motion, the index of the coordinate, and the initial speed."""
         self.motion, self.axis, self.launched, self.book = motion, axis, launched, motion.book
 
-    def written(self) -> Symbol:
+    def write_distance(self) -> Symbol:
         """Write the steps and return the symbol of the distance."""
         if isinstance(self.motion, RotatingMotion):
             center, size = self._round(self.motion)
@@ -55,11 +55,13 @@ class Reach:
     def _round(self, motion: RotatingMotion) -> tuple[Expression, Expression]:
         """Return, for the circle of a rotating motion, its centre along the coordinate and its radius."""
         drive, turns = motion.drive, motion.turning
-        if motion.fields.damping is not None or (drive is not None and (drive.growth or drive.frequency is not None)):
+        if motion.fields.linear_drag_rate is not None or (
+            drive is not None and (drive.growth or drive.frequency is not None)
+        ):
             raise UnsolvedError("what turns does so about no fixed centre")
-        if motion.carried(self.axis, turns) != ZERO:
+        if motion.drift_displacement(self.axis, turns) != ZERO:
             raise UnsolvedError("it drifts along this coordinate")
-        parts, along = motion.turned if drive is not None else motion.launch, AXES[self.axis]
+        parts, along = motion.initial_rotating_velocity if drive is not None else motion.launch, AXES[self.axis]
         kept = [part for part in parts if part != ZERO]
         size = kept[0] if len(kept) == 1 else Root(Power(parts[0], 2) + Power(parts[1], 2))
         if drive is None:
@@ -77,9 +79,9 @@ class Reach:
 
     def _to_and_fro(self, motion: ElectricMotion) -> tuple[Expression, Expression]:
         """Return the centre and the amplitude of a harmonic oscillation along the field."""
-        drive = motion.fields.drive
+        drive = motion.fields.electric_acceleration
         swings = drive is not None and drive.axis == self.axis == drive.along and drive.slope is not None
-        if not swings or not motion.swings:
+        if not swings or not motion.is_oscillating:
             raise UnsolvedError("it does not oscillate along this coordinate")
         center, first = motion.center, motion.launch[self.axis]
         if first == ZERO:
@@ -95,7 +97,7 @@ def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
 
     `launched` is the initial speed.
     """
-    drive, book = fields.drive, fields.book
+    drive, book = fields.electric_acceleration, fields.book
     if drive is None or drive.slope is None or drive.along != drive.axis or book.value(drive.slope) >= 0.0:
         return None
     along, step = AXES[drive.axis], book.begin_step("extremum")
@@ -119,7 +121,7 @@ def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
 
 
 TWO_TURNS = Number(2.0)
-TURNED = (AcrossField, VelocityReturned, VelocityTurned)
+TURN_MOMENTS = (AcrossField, VelocityReturned, VelocityTurned)
 
 
 class FieldTurn:
@@ -137,7 +139,7 @@ class FieldTurn:
         return self.setting.display_name(self.fields.body)
 
     @property
-    def pace(self) -> Expression:
+    def angular_speed(self) -> Expression:
         """Return the magnitude of the angular velocity of the rotating velocity."""
         turns = self.fields.turning
         if turns is None:
@@ -164,19 +166,19 @@ class FieldTurn:
     def time(self, name: Symbol, launched: Expression) -> Symbol:
         """Write the time of the moment; `launched` is the initial speed."""
         if isinstance(self.moment, VelocityTurned):
-            return self._turned(name, launched)
+            return self._write_turn_time(name, launched)
         if isinstance(self.moment, VelocityReturned):
             self.motion.rate(0, name)  # so that the rotating part is introduced first
             text = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
-            return self.book.add_step("turn", text, name, TWO_TURNS * PI / self.pace, SECONDS)
+            return self.book.add_step("turn", text, name, TWO_TURNS * PI / self.angular_speed, SECONDS)
         return self._across(name)
 
-    def _turned(self, name: Symbol, launched: Expression) -> Symbol:
+    def _write_turn_time(self, name: Symbol, launched: Expression) -> Symbol:
         """Write the time after which the velocity has turned through the angle."""
-        drive, alpha = self.fields.drive, self.angle.latex()
+        drive, alpha = self.fields.electric_acceleration, self.angle.latex()
         if drive is None:
             text = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
-            return self.book.add_step("turn", text, name, self.angle / self.pace, SECONDS)
+            return self.book.add_step("turn", text, name, self.angle / self.angular_speed, SECONDS)
         pull = self.book.magnitude(drive.strength)
         step = self.book.begin_step("turn")
         step.rest_on(self.fields.law)
@@ -194,7 +196,7 @@ class FieldTurn:
 
     def _across(self, name: Symbol) -> Symbol:
         """Write the time after which the velocity component along the electric field is zero."""
-        drive = self.fields.drive
+        drive = self.fields.electric_acceleration
         assert drive is not None
         if (swing := self._swing) is not None:
             self._timed = True
@@ -203,11 +205,11 @@ class FieldTurn:
             text = f"{text} velocity is perpendicular to the field again after half an oscillation,"
             return self.book.add_step("turn", text, name, PI / swing.frequency, SECONDS)
         rate = self.motion.rate(drive.axis, name)
-        if self.halved:
+        if self.is_half_turn:
             self._timed = True
             text = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
             return self.book.add_step(
-                "turn", f"{capitalized(text)} has made half a turn, after", name, PI / self.pace, SECONDS
+                "turn", f"{capitalized(text)} has made half a turn, after", name, PI / self.angular_speed, SECONDS
             )
         step = self.book.begin_step("turn")
         law = step.law(rate, ZERO)
@@ -221,25 +223,25 @@ class FieldTurn:
         return name
 
     @property
-    def halved(self) -> bool:
+    def is_half_turn(self) -> bool:
         """Return whether the rotating part has made half a turn: the launch has no component along the field."""
-        drive = self.fields.drive
+        drive = self.fields.electric_acceleration
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, RotatingMotion):
             return False
-        return self.fields.launch[drive.axis] == ZERO and self.fields.damping is None
+        return self.fields.launch[drive.axis] == ZERO and self.fields.linear_drag_rate is None
 
     @property
     def _swing(self) -> ElectricMotion | None:
         """Return the motion if, up to the question's moment, it is half an oscillation along the field; else None."""
-        drive, motion = self.fields.drive, self.motion
+        drive, motion = self.fields.electric_acceleration, self.motion
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, ElectricMotion):
             return None
         along = drive.slope is not None and drive.along == drive.axis and self.fields.launch[drive.axis] == ZERO
-        return motion if along and motion.swings else None
+        return motion if along and motion.is_oscillating else None
 
     def _swung(self, swing: ElectricMotion, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a displacement ``s`` or velocity ``v`` after half an oscillation; None if no short formula exists."""
-        drive, turning = self.fields.drive, self.fields.turning
+        drive, turning = self.fields.electric_acceleration, self.fields.turning
         if drive is not None and axis == drive.axis:
             return TWO_TURNS * swing.center if kind == "s" else None
         if turning is None:
@@ -250,7 +252,7 @@ class FieldTurn:
 
     def component(self, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a component of displacement ``s`` or velocity ``v`` if its formula is short; else None."""
-        drive, motion = self.fields.drive, self.motion
+        drive, motion = self.fields.electric_acceleration, self.motion
         if isinstance(self.moment, AcrossField) and kind == "v" and drive is not None and drive.axis == axis:
             return ZERO
         if (swing := self._swing) is not None:
@@ -260,37 +262,40 @@ class FieldTurn:
     def _rotated(self, motion: RotatingMotion, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a displacement ``s`` or velocity ``v`` after a whole or half turn; None at other times."""
         if isinstance(self.moment, VelocityReturned):
-            return motion.carried(axis, time) if kind == "s" else None
-        if not self.halved:
+            return motion.drift_displacement(axis, time) if kind == "s" else None
+        if not self.is_half_turn:
             return None
         if kind == "v":
-            return self.fields.launch[axis] - TWO_TURNS * motion.turned[axis]
-        return motion.carried(axis, time) + TWO_TURNS * motion.turned[1 - axis] * TURNS[axis] / motion.turning
+            return self.fields.launch[axis] - TWO_TURNS * motion.initial_rotating_velocity[axis]
+        return (
+            motion.drift_displacement(axis, time)
+            + TWO_TURNS * motion.initial_rotating_velocity[1 - axis] * TURNS[axis] / motion.turning
+        )
 
-    def told(self, kind: str, axis: int) -> str:
+    def lead_text(self, kind: str, axis: int) -> str:
         """Return the first words of a sentence about ``s`` or ``v`` after a turn; empty if no special law applies."""
         motion = self.motion
         if kind in ("v", "s") and self._swing is not None:
-            return self._told_swung(kind, axis)
+            return self._half_oscillation_lead(kind, axis)
         if not isinstance(motion, RotatingMotion) or kind not in ("v", "s"):
             return ""
         if isinstance(self.moment, VelocityReturned) and kind == "s":
             whose = f"the displacement of {self._who}, which along {AXES[axis]} is"
             return f"Over a whole turn, the rotating part adds nothing to {whose}"
-        if not self.halved:
+        if not self.is_half_turn:
             return ""
         when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
         if kind == "v":
             turned = f"Over half a turn{when} the rotating part of the velocity is reversed"
             return f"{turned}; the velocity of {self._who} along {AXES[axis]} is then"
-        alone = motion.turned[1 - axis] == ZERO
+        alone = motion.initial_rotating_velocity[1 - axis] == ZERO
         moved = f"only along {AXES[1 - axis]}" if alone else "by the diameter of its circle"
         text = f"Over half a turn{when} the rotating part moves {self._who} {moved}"
         return f"{text}; along {AXES[axis]} the displacement is"
 
-    def _told_swung(self, kind: str, axis: int) -> str:
+    def _half_oscillation_lead(self, kind: str, axis: int) -> str:
         """Return the first words of a sentence about ``s`` or ``v`` after half an oscillation; empty if none apply."""
-        drive, along = self.fields.drive, AXES[axis]
+        drive, along = self.fields.electric_acceleration, AXES[axis]
         if drive is not None and axis == drive.axis:
             when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
             text = f"Over half an oscillation{when} {self._who} moves from one end to the other"

@@ -10,7 +10,7 @@ from sim2reason.base.registry import Registry
 from sim2reason.questions import Target
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
 from sim2reason.scenes.dsl.vectors import Vector
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, sum_terms
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.closed_forms.symbolic_answers import needs_modulus
@@ -28,27 +28,27 @@ class CollisionTerm(Protocol):
         ...
 
     @property
-    def told(self) -> str:
+    def collision_name(self) -> str:
         """Return the name of the collision, such as *the first collision of A and B*."""
         ...
 
     @property
-    def loses(self) -> str:
+    def energy_loss_lead(self) -> str:
         """Return the first words of a sentence that gives the energy loss: the reason why kinetic energy is lost."""
         ...
 
     @property
-    def pushes(self) -> str:
+    def impulse_lead(self) -> str:
         """Return the first words of a sentence that gives the impulse: the laws from which the impulse follows."""
         ...
 
     @property
-    def lost(self) -> Expression:
+    def energy_loss(self) -> Expression:
         """Return the kinetic energy lost, J."""
         ...
 
     @property
-    def push(self) -> Expression:
+    def impulse_magnitude(self) -> Expression:
         """Return the magnitude of the impulse, N s."""
         ...
 
@@ -71,7 +71,7 @@ class MotionPart(ABC):
         """Return a tension, or the kinetic friction on a body, if it is constant; zero if it does not act."""
         raise UnsolvedError(f"no {kind} of {name} that is constant")
 
-    def moved(self, body: str, line: str) -> Polynomial:
+    def displacement_along_line(self, body: str, line: str) -> Polynomial:
         """Return the displacement of a body, m, along a line attached to it, away from the attachment."""
         raise UnsolvedError(f"no way of {body} along {line}")
 
@@ -79,7 +79,7 @@ class MotionPart(ABC):
         """Return the displacement of a body relative to the surface under it, m."""
         raise UnsolvedError(f"no slip of {body}")
 
-    def drawn(self, line: str) -> Polynomial:
+    def drawn_length(self, line: str) -> Polynomial:
         """Return the decrease of a line's length, m."""
         raise UnsolvedError(f"no change of {line}")
 
@@ -109,7 +109,7 @@ class KnownMotion(Protocol):
         """Return components of a body's acceleration ``a``, velocity ``v`` (initial ``u``) or displacement ``s``."""
         ...
 
-    def apart(self, one: str, other: str) -> Components:
+    def initial_separation(self, one: str, other: str) -> Components:
         """Return the initial vector from the centre of one body to that of another."""
         ...
 
@@ -121,7 +121,7 @@ class KnownMotion(Protocol):
         """Return a body's vector of the given kind as a component along a world direction, or along its own line."""
         ...
 
-    def lone(self, kind: str, body: str) -> Polynomial | None:
+    def line_component(self, kind: str, body: str) -> Polynomial | None:
         """Return a vector as its signed component along the body's only line of motion; None for several lines."""
         ...
 
@@ -137,7 +137,7 @@ class KnownMotion(Protocol):
         """Return a body's moment of inertia over the square of its rim's radius."""
         ...
 
-    def tell_arcs(self, body: str) -> None:
+    def write_arcs(self, body: str) -> None:
         """Write the successive arcs through which a body's rim turns, if there are several."""
         ...
 
@@ -158,7 +158,7 @@ class KnownMotion(Protocol):
         ...
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return the parts of the motion in order."""
         ...
 
@@ -238,7 +238,7 @@ def single_symbol(parts: Components, known: KnownMotion) -> Symbol | None:
     if len(unknown) != 1:
         return None
     size = total(part.coefficient(unknown[0]) * part.coefficient(unknown[0]) for part in parts)
-    rest = any(part.without(unknown) for part in parts)
+    rest = any(part.terms_without(unknown) for part in parts)
     return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
 
 
@@ -293,7 +293,7 @@ def magnitude(
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
         where = known.setting.direction_words(direction) if axes == AXES else f"along {axis}"
         sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
-    whose = f"{noun.said} of {known.setting.display_name(body)}"
+    whose = f"{noun.noun} of {known.setting.display_name(body)}"
     if (sentences and len(kept) > 1) or step.relations:
         frame_phrase = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
         none = "; the other component is zero" if axes != AXES and len(kept) == 1 else ""
@@ -305,7 +305,7 @@ def magnitude(
         return modulus(names[0], known.book)
     squares: Expression = ZERO
     for name in names:
-        squares = added(squares, Power(name, 2))
+        squares = sum_terms(squares, Power(name, 2))
     return Root(squares)
 
 
@@ -315,11 +315,11 @@ class VectorName:
 
     base: str
     unit: str
-    said: str
+    noun: str
 
     @classmethod
-    def of(cls, quantity: str, said: str = "") -> Self:
-        """Return the name of a quantity or functional; its noun is the quantity itself unless `said` is given."""
+    def for_quantity(cls, quantity: str, said: str = "") -> Self:
+        """Return the name of a quantity or functional; its noun is the quantity itself unless `noun` is given."""
         return cls(QUANTITY_SYMBOLS[quantity], unit_of_quantity(quantity), said or quantity)
 
 

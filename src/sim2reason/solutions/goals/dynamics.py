@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, KnownMotion, VectorName, magnitude, modulus, write_answer
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, along_sense, squared
@@ -29,14 +29,14 @@ class MassTimes(Goal):
         """Write the magnitude of the vector, then m times it."""
         body, mass = target.subject, known.mass(target.subject).expression()
         mark = r"\text{net}" if self.noun.base == "F" else known.setting.subscript_of(body)
-        whose = f"{self.noun.said} {'on' if self.noun.base == 'F' else 'of'} {known.setting.display_name(body)}"
+        whose = f"{self.noun.noun} {'on' if self.noun.base == 'F' else 'of'} {known.setting.display_name(body)}"
         if target.sense is not None:
             formula = known.component(self.of.base, body, target.sense.vector).factored()
             what = along_sense(whose, target.sense)
         else:
             formula = magnitude(known.vector(self.of.base, body), known, self.of, body)
             what = f"the magnitude of the {whose}"
-        return write_answer(known, multiplied(mass, formula), self.noun, mark, what)
+        return write_answer(known, multiply_factors(mass, formula), self.noun, mark, what)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +57,11 @@ class KineticEnergyGoal(Goal):
         """Write the speed, then the energy."""
         body, rim = target.subject, known.rim("v", target.subject)
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
-        formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
+        formula = multiply_factors(known.mass(body).scale(0.5).expression(), squared(speed))
         if rim:
-            half = known.rim_inertia(body).scaled(0.5).expression()
-            formula = added(formula, multiplied(half, squared(rim.expression())))
-        noun, mark = VectorName.of("kinetic energy"), known.setting.subscript_of(body)
+            half = known.rim_inertia(body).scale(0.5).expression()
+            formula = sum_terms(formula, multiply_factors(half, squared(rim.expression())))
+        noun, mark = VectorName.for_quantity("kinetic energy"), known.setting.subscript_of(body)
         return write_answer(known, formula, noun, mark, f"the kinetic energy of {known.setting.display_name(body)}")
 
 
@@ -79,14 +79,14 @@ class PotentialEnergyGoal(Goal):
         body = target.subject
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
-        noun, mark = VectorName.of("potential energy"), known.setting.subscript_of(body)
+        noun, mark = VectorName.for_quantity("potential energy"), known.setting.subscript_of(body)
         size = modulus(formula, known.book, of_either_sign=True)
         what = f"the magnitude of the change in the potential energy of {known.setting.display_name(body)}"
         return write_answer(known, size, noun, mark, what)
 
 
-GOALS.add("momentum", MassTimes(VectorName.of("momentum"), VELOCITIES))
-GOALS.add("net force", MassTimes(VectorName.of("net force"), ACCELERATIONS))
+GOALS.add("momentum", MassTimes(VectorName.for_quantity("momentum"), VELOCITIES))
+GOALS.add("net force", MassTimes(VectorName.for_quantity("net force"), ACCELERATIONS))
 GOALS.add("kinetic energy", KineticEnergyGoal())
 GOALS.add("potential energy", PotentialEnergyGoal())
 
@@ -125,11 +125,11 @@ GOALS.add("normal force", ForceGoal("N"))
 GOALS.add("friction force", ForceGoal("f"))
 
 
-EXTENSION = VectorName.of("extension")
-LENGTH = VectorName.of("spring length")
-RATE = VectorName.of("extension rate")
-FORCE = VectorName.of("spring force")
-ENERGY = VectorName.of("spring energy")
+EXTENSION = VectorName.for_quantity("extension")
+LENGTH = VectorName.for_quantity("spring length")
+RATE = VectorName.for_quantity("extension rate")
+FORCE = VectorName.for_quantity("spring force")
+ENERGY = VectorName.for_quantity("spring energy")
 _RATE = "rate of change of the length"
 _CALLED = {  # what is positive, what is so where that is negative, and the modulus of both
     EXTENSION: ("extension", "compression", "extension or compression"),
@@ -188,11 +188,11 @@ class SpringGoal(Goal):
             return extension
         stiffness = known.spring("stiffness", line).expression()
         if self.noun is ENERGY:
-            return multiplied(Number(0.5), multiplied(stiffness, Power(extension, 2)))
+            return multiply_factors(Number(0.5), multiply_factors(stiffness, Power(extension, 2)))
         damping = known.spring("damping", line)
-        pull = multiplied(stiffness, extension)
-        return pull + multiplied(damping.expression(), known.growth("v", line).expression()) if damping else pull
+        pull = multiply_factors(stiffness, extension)
+        return pull + multiply_factors(damping.expression(), known.growth("v", line).expression()) if damping else pull
 
 
 for _noun in (EXTENSION, LENGTH, RATE, FORCE, ENERGY):
-    GOALS.add(_noun.said, SpringGoal(_noun))
+    GOALS.add(_noun.noun, SpringGoal(_noun))

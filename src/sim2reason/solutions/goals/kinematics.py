@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.mechanism import Z
 from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.interactions import members
-from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiply_factors, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.closed_forms.symbolic_answers import reason_for_negative
@@ -27,9 +27,9 @@ from sim2reason.solutions.goals import (
 from sim2reason.solutions.writing.lexicon import DualValue
 from sim2reason.solutions.writing.notation import METRES
 
-DISPLACEMENTS = VectorName.of("displacement")
-VELOCITIES = VectorName.of("velocity")
-ACCELERATIONS = VectorName.of("acceleration")
+DISPLACEMENTS = VectorName.for_quantity("displacement")
+VELOCITIES = VectorName.for_quantity("velocity")
+ACCELERATIONS = VectorName.for_quantity("acceleration")
 
 
 def along_sense(whose: str, sense: Sense) -> str:
@@ -54,14 +54,14 @@ class VectorGoal(Goal):
         """Write the components, then the component or magnitude asked for."""
         body, base = target.subject, self.noun.base
         whose, carrier = (
-            f"{self.noun.said} of {known.setting.display_name(body)}",
+            f"{self.noun.noun} of {known.setting.display_name(body)}",
             known.setting.mechanism.body[body].parent,
         )
         mark = known.setting.subscript_of(body)
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
             return write_answer(known, formula, self.noun, mark, along_sense(whose, target.sense))
-        lone = None if known.book.in_symbols else known.lone(base, body)
+        lone = None if known.book.in_symbols else known.line_component(base, body)
         if lone is not None and lone:
             whose = f"{whose} relative to the ground" if carrier is not None and lone.symbol is None else whose
             formula = modulus(lone.factored(), known.book)
@@ -97,7 +97,7 @@ class RelativeSpeedGoal(Goal):
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-        noun, reference_name = VectorName.of("relative speed", "velocity"), known.setting.display_name(one)
+        noun, reference_name = VectorName.for_quantity("relative speed", "velocity"), known.setting.display_name(one)
         formula = magnitude(parts, known, noun, other, relative_to=reference_name)
         return write_answer(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
 
@@ -130,7 +130,7 @@ class AngularGoal(AboutAxis):
         """Write the quantity as that of the rim over the radius, such as ω = v/R."""
         body = target.subject
         formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
-        what = f"the magnitude of the {self.noun.said} of {known.setting.display_name(body)}"
+        what = f"the magnitude of the {self.noun.noun} of {known.setting.display_name(body)}"
         return write_answer(known, formula, self.noun, known.setting.subscript_of(body), what)
 
 
@@ -141,7 +141,7 @@ class AngleGoal(AngularGoal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the arcs in opposite senses, if there are several, then the angle."""
         known.rim(self.of, target.subject)
-        known.tell_arcs(target.subject)
+        known.write_arcs(target.subject)
         return AngularGoal.write(self, target, known)
 
 
@@ -165,9 +165,9 @@ class InertiaTimes(AboutAxis):
         other = modulus(rim.expression(), known.book)
         size = "magnitude of the " if self.of else ""
         about = " about its centre of mass" if self.of == "v" else ""
-        what = f"the {size}{self.noun.said} of {known.setting.display_name(body)}{about}"
+        what = f"the {size}{self.noun.noun} of {known.setting.display_name(body)}{about}"
         return write_answer(
-            known, multiplied(coefficient.expression(), other), self.noun, known.setting.subscript_of(body), what
+            known, multiply_factors(coefficient.expression(), other), self.noun, known.setting.subscript_of(body), what
         )
 
 
@@ -188,10 +188,10 @@ class KineticShare(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the energy as one formula."""
         body = target.subject
-        what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.display_name(body)}"
+        what = f"{self.reason_clause(body, known)}the {self.noun.noun} of {known.setting.display_name(body)}"
         return write_answer(known, self.energy(body, known), self.noun, known.setting.subscript_of(body), what)
 
-    def why(self, body: str, known: KnownMotion) -> str:
+    def reason_clause(self, body: str, known: KnownMotion) -> str:
         """Return a clause with the reason for the energy's formula, for the answer's sentence; by default ""."""
         del body, known
         return ""
@@ -200,9 +200,9 @@ class KineticShare(Goal):
 class EnergyOfRim(KineticShare, AboutAxis):
     """The rotational energy of a body, ½ I ω², as ½ (I/R²) v² with the speed v of its rim."""
 
-    noun = VectorName.of("rotational kinetic energy", "energy of rotation")
+    noun = VectorName.for_quantity("rotational kinetic energy", "energy of rotation")
 
-    def why(self, body: str, known: KnownMotion) -> str:
+    def reason_clause(self, body: str, known: KnownMotion) -> str:
         """Return a clause that relates the rim's speed to the angular velocity."""
         rim = known.rim("v", body).expression()
         along = -rim if rim.negative else rim  # in the sense in which it rolls
@@ -210,19 +210,19 @@ class EnergyOfRim(KineticShare, AboutAxis):
 
     def energy(self, body: str, known: KnownMotion) -> Expression:
         """Return ½ (I/R²) v², J."""
-        half = known.rim_inertia(body).scaled(0.5).expression()
-        return multiplied(half, squared(known.rim("v", body).expression()))
+        half = known.rim_inertia(body).scale(0.5).expression()
+        return multiply_factors(half, squared(known.rim("v", body).expression()))
 
 
 class EnergyOfCenter(KineticShare):
     """The translational energy of a body, ½ m v², with the speed v of its centre of mass."""
 
-    noun = VectorName.of("translational kinetic energy", "energy of translation")
+    noun = VectorName.for_quantity("translational kinetic energy", "energy of translation")
 
     def energy(self, body: str, known: KnownMotion) -> Expression:
         """Return ½ m v², J."""
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
-        return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
+        return multiply_factors(known.mass(body).scale(0.5).expression(), squared(speed))
 
 
 def squared(formula: Expression) -> Expression:
@@ -234,14 +234,14 @@ def squared(formula: Expression) -> Expression:
     return Power(-formula if formula.negative else formula, 2)
 
 
-ANGULAR_VELOCITIES = VectorName.of("angular velocity")
-ANGULAR_ACCELERATIONS = VectorName.of("angular acceleration")
+ANGULAR_VELOCITIES = VectorName.for_quantity("angular velocity")
+ANGULAR_ACCELERATIONS = VectorName.for_quantity("angular acceleration")
 GOALS.add("angular velocity", AngularGoal(ANGULAR_VELOCITIES, "v"))
 GOALS.add("angular acceleration", AngularGoal(ANGULAR_ACCELERATIONS, "a"))
-GOALS.add("angle rolled", AngleGoal(VectorName.of("angle rolled", "net angle of rotation"), "s"))
-GOALS.add("moment of inertia", InertiaTimes(VectorName.of("moment of inertia"), ""))
-GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v"))
-GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))
+GOALS.add("angle rolled", AngleGoal(VectorName.for_quantity("angle rolled", "net angle of rotation"), "s"))
+GOALS.add("moment of inertia", InertiaTimes(VectorName.for_quantity("moment of inertia"), ""))
+GOALS.add("angular momentum", InertiaTimes(VectorName.for_quantity("angular momentum"), "v"))
+GOALS.add("torque", InertiaTimes(VectorName.for_quantity("torque"), "a"))
 GOALS.add("rotational kinetic energy", EnergyOfRim())
 GOALS.add("translational kinetic energy", EnergyOfCenter())
 
@@ -262,9 +262,9 @@ class DistanceGoal(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the initial separation and the displacements since, then the distance."""
         one, other = members(target.subject)
-        separation, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
+        separation, a, b = known.initial_separation(one, other), known.vector("s", one), known.vector("s", other)
         parts: Components = (separation[0] + b[0] - a[0], separation[1] + b[1] - a[1], separation[2] + b[2] - a[2])
-        noun = VectorName.of("distance", "position")
+        noun = VectorName.for_quantity("distance", "position")
         formula = magnitude(parts, known, noun, other, relative_to=known.setting.display_name(one))
         return write_answer(known, formula, noun, r"\text{rel}", "so the distance is")
 

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from sim2reason.questions import Target
 from sim2reason.simulation.quantities.subjects.interactions import members, surface
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import (
     GOALS,
@@ -25,9 +25,9 @@ from sim2reason.solutions.goals.kinematics import VELOCITIES
 from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.writing.steps import UnsolvedError
 
-WORK = VectorName.of("work of a tension")
-HEAT = VectorName.of("energy dissipated by friction")
-IMPULSES = VectorName.of("impulse of the net force")
+WORK = VectorName.for_quantity("work of a tension")
+HEAT = VectorName.for_quantity("energy dissipated by friction")
+IMPULSES = VectorName.for_quantity("impulse of the net force")
 
 
 class SumGoal(Goal):
@@ -50,15 +50,15 @@ class SumGoal(Goal):
         """Return the contribution of one part of the motion to the sum."""
 
     @abstractmethod
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the sum, such as *the work of the hand*."""
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the sum and return its symbol."""
         sum_formula: Expression = ZERO
-        for part in known.stretches:
-            sum_formula = added(sum_formula, self.term(target, known.setting, part))
-        return write_answer(known, _gathered(sum_formula), self.noun, "", self.said(target, known.setting))
+        for part in known.motion_parts:
+            sum_formula = sum_terms(sum_formula, self.term(target, known.setting, part))
+        return write_answer(known, _gathered(sum_formula), self.noun, "", self.sum_name(target, known.setting))
 
 
 def _gathered(formula: Expression) -> Expression:
@@ -66,7 +66,10 @@ def _gathered(formula: Expression) -> Expression:
     terms = formula.terms if isinstance(formula, Sum) else (formula,)
     if not all(isinstance(term, Symbol) or isinstance(-term, Symbol) for term in terms):
         return formula
-    signed = [Polynomial.of(t) if isinstance(t, Symbol) else Polynomial.of(-t).scaled(-1.0) for t in terms]
+    signed = [
+        Polynomial.from_expression(t) if isinstance(t, Symbol) else Polynomial.from_expression(-t).scale(-1.0)
+        for t in terms
+    ]
     return total(signed).expression()
 
 
@@ -87,13 +90,13 @@ class TensionImpulse(SumGoal):
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return tension times duration for one part of the motion."""
         del setting
-        return multiplied(part.force("T", target.subject).expression(), part.time)
+        return multiply_factors(part.force("T", target.subject).expression(), part.time)
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the impulse part by part, or in one formula if the strategy has one."""
         return known.impulse(target.subject) or SumGoal.write(self, target, known)
 
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the impulse, with that of the string."""
         return f"the impulse of the tension in {setting.string_phrases[target.subject]}"
 
@@ -110,14 +113,16 @@ class TensionWork(SumGoal):
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return tension times displacement along the string for one part of the motion."""
         name = _tied(target.subject, setting)
-        return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
+        return multiply_factors(
+            part.force("T", name).expression(), part.displacement_along_line(target.subject, name).expression()
+        )
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the work part by part, or in one formula if the strategy has one."""
         name = _tied(target.subject, known.setting)
         return known.work(name, target.subject) or SumGoal.write(self, target, known)
 
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the work of a tension on a body."""
         return f"the work of the tension on {setting.display_name(target.subject)}"
 
@@ -140,9 +145,9 @@ class HeatGoal(SumGoal):
         """Return friction times distance of slip for one part of the motion."""
         del setting
         friction = part.force("f", target.subject)
-        return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
+        return multiply_factors(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the dissipated energy; for a rolling body it mentions the slip of the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
@@ -170,9 +175,11 @@ class HandWork(SumGoal):
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return the force of the hand times the length of string drawn in, for one part of the motion."""
         del setting
-        return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
+        return multiply_factors(
+            part.force("T", target.subject).expression(), part.drawn_length(target.subject).expression()
+        )
 
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the work of a hand."""
         del target, setting
         return "the work of the hand"
@@ -181,7 +188,7 @@ class HandWork(SumGoal):
 class PathLength(SumGoal):
     """The distance travelled by a body: the sum of the distances between its turning points."""
 
-    noun = VectorName.of("distance travelled")
+    noun = VectorName.for_quantity("distance travelled")
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return the distance travelled in one part of the motion."""
@@ -190,12 +197,12 @@ class PathLength(SumGoal):
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the terms that have no names yet, such as those of a body that turns back, then the sum."""
-        all_terms = (term for part in known.stretches for term in part.paths(target.subject))
+        all_terms = (term for part in known.motion_parts for term in part.paths(target.subject))
         terms = [term for term in all_terms if term != ZERO]  # zero for a flight that begins at the moment
         sum_formula: Expression = ZERO
         for term in terms:
-            sum_formula = added(sum_formula, term)
-        what, formula = self.said(target, known.setting), _gathered(sum_formula)
+            sum_formula = sum_terms(sum_formula, term)
+        what, formula = self.sum_name(target, known.setting), _gathered(sum_formula)
         if formula != sum_formula and all(_gathered(term) == term for term in terms):
             lengths = join_words([f"${term.latex()}$" for term in terms])
             what = (
@@ -203,7 +210,7 @@ class PathLength(SumGoal):
             )
         return write_answer(known, formula, self.noun, "", what)
 
-    def said(self, target: Target, setting: ProblemContext) -> str:
+    def sum_name(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the distance travelled by a body."""
         return f"the distance that {setting.display_name(target.subject)} travels"
 
@@ -219,7 +226,7 @@ class NetImpulseGoal(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the impulse as m times the change of velocity."""
         body = target.subject
-        lone = known.lone("v", body), known.lone("u", body)
+        lone = known.line_component("v", body), known.line_component("u", body)
         if lone[0] is not None and lone[1] is not None:
             size = (lone[0] - lone[1]).expression()
         else:
@@ -227,7 +234,7 @@ class NetImpulseGoal(Goal):
             parts: Components = (end[0] - begin[0], end[1] - begin[1], end[2] - begin[2])
             size = magnitude(parts, known, VectorName("w", VELOCITIES.unit, "change in the velocity"), body)
         mass = known.mass(body).expression()
-        formula = multiplied(mass, modulus(size, known.book, of_either_sign=True))
+        formula = multiply_factors(mass, modulus(size, known.book, of_either_sign=True))
         who = known.setting.display_name(body)
         return write_answer(
             known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {who}, of magnitude"
@@ -259,7 +266,7 @@ GOALS.add("distance travelled", PathLength())
 GOALS.add("impulse of the net force", NetImpulseGoal())
 
 
-LOSS = VectorName.of("energy lost in a collision")
+LOSS = VectorName.for_quantity("energy lost in a collision")
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,19 +304,23 @@ class CollisionGoal(Goal):
         for number, struck in enumerate(collisions, start=1):
             formula = self._one(struck)
             step, name = known.book.begin_step("sum"), known.book.fresh(self.noun.base, str(number))
-            law = f"{self._law(struck)} {what} in {struck.told}" if number == 1 else f"In {struck.told} it"
+            law = (
+                f"{self._law(struck)} {what} in {struck.collision_name}"
+                if number == 1
+                else f"In {struck.collision_name} it"
+            )
             step.add_text(f"{law} is {step.result(name, formula, self.noun.unit, law=True)}.")
             step.close()
-            sum_formula = added(sum_formula, name)
+            sum_formula = sum_terms(sum_formula, name)
         return write_answer(known, sum_formula, self.noun, "", f"{what} in all is")
 
     def _law(self, struck: CollisionTerm) -> str:
         """Return the first words of a sentence that gives a collision's energy loss or impulse: the law for it."""
-        return struck.loses if self.noun is LOSS else struck.pushes
+        return struck.energy_loss_lead if self.noun is LOSS else struck.impulse_lead
 
     def _one(self, struck: CollisionTerm) -> Expression:
         """Return the energy loss or the impulse of one collision."""
-        return struck.lost if self.noun is LOSS else struck.push
+        return struck.energy_loss if self.noun is LOSS else struck.impulse_magnitude
 
 
 GOALS.add("energy lost in a collision", CollisionGoal(LOSS, "pair", several=False))

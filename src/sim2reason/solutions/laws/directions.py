@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import isinf
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.root_finding import substitute_all
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -14,7 +14,7 @@ from sim2reason.solutions.laws.sticking import (
     force_from_one_law,
     limit_of_friction,
     required_friction,
-    tell_not_held,
+    write_not_held,
 )
 from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.writing.arrangement import SOLVE_KIND
@@ -22,7 +22,7 @@ from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SECONDS,
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, record_inequality
 
 
-def turned_before(book: SolutionBuilder, step: StepBuilder, begun: Expression, a: Symbol, time: Symbol) -> str:
+def earlier_turn_words(book: SolutionBuilder, step: StepBuilder, begun: Expression, a: Symbol, time: Symbol) -> str:
     """Return words such as *, before t*, added to a sentence about a velocity that becomes zero before a time."""
     formula = Quotient(-begun, a)
     record_inequality(book, step, time, formula)
@@ -39,7 +39,7 @@ def later_words(book: SolutionBuilder, step: StepBuilder, formula: Expression, t
     return f"only after {equation}, which is more than ${time.name}$"
 
 
-def tell_turning_only_later(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol | None) -> None:
+def write_later_turning(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol | None) -> None:
     """Write that a decreasing velocity becomes zero only after a time, if the time is known."""
     formula = Quotient(-begun, a)
     if time is None or book.is_hidden(formula) or book.is_hidden(time) or not book.value(formula) > 0.0:
@@ -49,11 +49,11 @@ def tell_turning_only_later(book: SolutionBuilder, begun: Expression, a: Symbol,
     step.close()
 
 
-def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
+def write_first_passage(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
     """Write that a body is at a place for the first time at a given time, as its velocity is still positive."""
     if book.in_symbols:
         return
-    formula = added(begun, multiplied(a, time))
+    formula = sum_terms(begun, multiply_factors(a, time))
     step, name = book.begin_step("verify"), book.fresh("v")
     record_inequality(book, step, formula, ZERO)
     equation = step.verified(name, formula, SPEED)
@@ -96,7 +96,7 @@ def verify_farther(book: SolutionBuilder, remaining: Polynomial, covers: tuple[S
     covered = (
         displacement.expression()
         if book.value(displacement.expression()) > 0.0
-        else displacement.scaled(-1.0).expression()
+        else displacement.scale(-1.0).expression()
     )
     if displacement and not book.in_symbols and not book.is_hidden(rest):
         step = book.begin_step("verify")
@@ -160,12 +160,12 @@ def verify_sliding(dynamics: Dynamics) -> None:
     if book.in_symbols:
         return
     if book.hidden:
-        book.afterwards.append(lambda: _tell(dynamics))
+        book.afterwards.append(lambda: _write_sliding_reason(dynamics))
     else:
-        _tell(dynamics)
+        _write_sliding_reason(dynamics)
 
 
-def _tell(dynamics: Dynamics) -> None:
+def _write_sliding_reason(dynamics: Dynamics) -> None:
     """Write why each body that starts to slide does: it needs too much friction, or accelerates despite friction."""
     law_bodies = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
@@ -189,7 +189,7 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
     if abs(book.value(needed)) > book.value(most):
         slips = newton.single_slip_coordinate(face) is None
         moves = "slips" if slips else f"slides {slip_direction_text(dynamics, face, newton.slip_directions[face])}"
-        tell_not_held(newton, dynamics.setting, book, face, needed, f", so it {moves}")
+        write_not_held(newton, dynamics.setting, book, face, needed, f", so it {moves}")
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
@@ -243,7 +243,7 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
     if len(slips) != 1:
         return None
     ((k, factor),) = slips
-    signed_factor = factor.scaled(dynamics.newton.slip_directions[face])
+    signed_factor = factor.scale(dynamics.newton.slip_directions[face])
     acceleration = (signed_factor * dynamics.names.get(f"q{k}", NIL)).expression()
     return acceleration if isinstance(acceleration, Symbol) and acceleration.name in dynamics.bound else None
 
@@ -272,7 +272,9 @@ def _relative(dynamics: Dynamics, face: int) -> Expression | None:
     parts = _parts(dynamics, face)
     total: Expression = ZERO
     for _, factor, acceleration in parts or []:
-        total = added(total, multiplied(factor.expression(), acceleration) if factor.number != 1.0 else acceleration)
+        total = sum_terms(
+            total, multiply_factors(factor.expression(), acceleration) if factor.number != 1.0 else acceleration
+        )
     return total if parts is not None else None
 
 
@@ -281,8 +283,8 @@ def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Express
     rows, parts = _laws(dynamics), list[tuple[int, Polynomial, Expression]]()
     for k, part in dynamics.newton.slip(face).items():
         terms = [(k, 1.0)]
-        if k in dynamics.carried:
-            j, sign = dynamics.carried[k]
+        if k in dynamics.carrier_coordinates:
+            j, sign = dynamics.carrier_coordinates[k]
             terms.append((j, -sign))
         for n, factor in terms:
             if n in dynamics.frozen:
@@ -290,7 +292,7 @@ def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Express
             acceleration = force_from_one_law(dynamics, rows, f"q{n}")
             if acceleration is None:
                 return None
-            parts.append((n, part.scaled(factor * dynamics.newton.slip_directions[face]), acceleration))
+            parts.append((n, part.scale(factor * dynamics.newton.slip_directions[face]), acceleration))
     return parts
 
 
@@ -317,7 +319,7 @@ def _laws(dynamics: Dynamics) -> list[Row]:
     for row in rows:
         name = f"N{row.number}"
         if row.kind == "normal" and not row.inertia:
-            pressed[name] = row.forces.without((name,)).scaled(-1.0)
+            pressed[name] = row.forces.terms_without((name,)).scale(-1.0)
     return [Row(r.kind, r.number, r.forces.substitute(pressed), r.inertia) for r in rows if r.kind != "normal"]
 
 

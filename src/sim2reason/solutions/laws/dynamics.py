@@ -114,7 +114,7 @@ class Dynamics:
         return {k for k, row in laws.items() if not row.forces and row.inertia.names() & every <= {f"q{k}"}}
 
     @cached_property
-    def carried(self) -> dict[int, tuple[int, float]]:
+    def carrier_coordinates(self) -> dict[int, tuple[int, float]]:
         """Return, for each coordinate parallel to its carrier's, the carrier's coordinate and the relative sign.
 
         For slabs on each other on a slope, texts give the acceleration of each slab, not the relative one.
@@ -142,7 +142,7 @@ class Dynamics:
         for index in self.taut:
             terms = self.newton.string(index).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
-            if own and own - other.scaled(sign):
+            if own and own - other.scale(sign):
                 return False
         return True
 
@@ -172,8 +172,8 @@ class Dynamics:
         rows += [newton.string(index) for index in self.taut]
         rows += [newton.rolling(face) for face in sticking if newton.single_slip_coordinate(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
-        for k, (j, sign) in self.carried.items():  # converted to that relative to the ground
-            still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
+        for k, (j, sign) in self.carrier_coordinates.items():  # converted to that relative to the ground
+            still[f"q{k}"] = symbol("q", k) - symbol("q", j).scale(sign)
         rows = [Row(r.kind, r.number, r.forces.substitute(still), r.inertia.substitute(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
         if self.measure.values:
@@ -188,24 +188,24 @@ class Dynamics:
     def values(self) -> dict[str, float]:
         """Return the values of the unknowns, in SI units, as the engine computed them."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
-        values_by_name = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
-        for k, (j, sign) in self.carried.items():  # carriers come first
+        values_by_name = self.newton.values | {f"q{k}": value * scale.value for k, (value, scale) in enumerate(pairs)}
+        for k, (j, sign) in self.carrier_coordinates.items():  # carriers come first
             values_by_name[f"q{k}"] += sign * values_by_name[f"q{j}"]
         return values_by_name
 
     def relative_to_ground(self, values: Sequence[float]) -> list[float]:
         """Convert rates relative to carriers to rates relative to the ground."""
         converted = list(values)
-        for k, (j, sign) in self.carried.items():
+        for k, (j, sign) in self.carrier_coordinates.items():
             converted[k] += sign * converted[j]
         return converted
 
     def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
         """Convert symbolic velocities or displacements relative to carriers to those relative to the ground."""
         converted = dict(relative)
-        for k, (j, sign) in self.carried.items():
+        for k, (j, sign) in self.carrier_coordinates.items():
             if k in converted or j in converted:
-                converted[k] = converted.get(k, NIL) + converted.get(j, NIL).scaled(sign)
+                converted[k] = converted.get(k, NIL) + converted.get(j, NIL).scale(sign)
         return converted
 
     # ---- names
@@ -250,7 +250,7 @@ class Dynamics:
         self.sense |= self.shared[-1].sense
         self._units[named.name] = self.measure.unit
         for k, sense in self.shared[-1].sense.items():
-            self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
+            self.names[f"q{k}"] = Polynomial.from_expression(named).scale(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
         """Return the sign of the rate with which coordinates of one common rate move, or begin to."""
@@ -266,7 +266,7 @@ class Dynamics:
     def name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
         """Name the forces in the laws: tensions by numbers, other forces by their bodies."""
         self.groups = self._grouped([row for row in rows if row.kind == "newton"], goals)
-        used = {name for group in self.groups for name in self.added(group).zero.names()} | set(goals)
+        used = {name for group in self.groups for name in self.sum_laws(group).zero.names()} | set(goals)
         tensions = sorted((n for n in used if n[0] == "T" and n[1:].isdigit()), key=lambda n: int(n[1:]))
         marks = [""] if len(tensions) == 1 else [str(number) for number in range(1, len(tensions) + 1)]
         for name, mark in zip(tensions, marks, strict=True):
@@ -275,7 +275,7 @@ class Dynamics:
             if name[0] in "Nf" and name[1:].isdigit():
                 self._force(name, name[0], self.setting.subscript_of(self.mechanism.faces[int(name[1:])].subject))
 
-    def added(self, group: Sequence[Row]) -> Row:
+    def sum_laws(self, group: Sequence[Row]) -> Row:
         """Return the sum of Newton's laws of a group of bodies."""
         forces, inertia = total(row.forces for row in group), total(row.inertia for row in group)
         return Row("newton", group[0].number, forces, inertia)
@@ -284,16 +284,19 @@ class Dynamics:
         """Return Newton's laws in groups; tensions between blocks in a row on one string cancel within a group."""
         groups = [[row] for row in rows]
         for name in sorted({n for row in rows for n in row.zero.names() if n[0] == "T" and n[1:].isdigit()} - {*goals}):
-            holding = [group for group in groups if name in self.added(group).zero.names()]
+            holding = [group for group in groups if name in self.sum_laws(group).zero.names()]
             if len(holding) != 2:
                 continue
             one, other = holding
-            if self._alike(one[0].number, other[0].number) and name not in self.added([*one, *other]).zero.names():
+            if (
+                self._moves_alike(one[0].number, other[0].number)
+                and name not in self.sum_laws([*one, *other]).zero.names()
+            ):
                 groups[groups.index(one)] = sorted(one + other, key=lambda row: row.number)
                 groups.remove(other)
         return groups
 
-    def _alike(self, one: int, other: int) -> bool:
+    def _moves_alike(self, one: int, other: int) -> bool:
         """Return whether two coordinates move their bodies in the same direction along parallel lines at one rate."""
         a, b = self.mechanism.coordinates[one], self.mechanism.coordinates[other]
         parents = [self.mechanism.body[c.body].parent for c in (a, b)]
@@ -305,7 +308,7 @@ class Dynamics:
         """Give a force a new symbol."""
         named = self.book.fresh(base, mark)
         sense = -1.0 if base == "f" and self.values[name] < 0.0 else 1.0
-        self.names[name] = Polynomial.of(named).scaled(sense)
+        self.names[name] = Polynomial.from_expression(named).scale(sense)
         self._units[named.name] = NEWTONS
 
     @property
@@ -320,12 +323,17 @@ class Dynamics:
         labels = [each.label for each in self.mechanism.body[coordinate.body].coordinates]
         if coordinate.label in AXES and {*AXES} <= {*labels}:
             return f"in the {'positive' if sense > 0 else 'negative'} {coordinate.label} direction"
-        parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
+        parent = self.mechanism.body[coordinate.body].parent if k not in self.carrier_coordinates else None
         return self.setting.direction_words((sense * x, sense * y, sense * z), on=parent)
 
     def sufficient_coordinates(self, coordinates: Sequence[int]) -> list[int]:
         """Return the coordinates without those of carriers whose motion another coordinate already includes."""
-        spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
+        spared = {
+            j
+            for k in coordinates
+            if k in self.carrier_coordinates
+            for j in self._below(self.mechanism.coordinates[k].body)
+        }
         return [k for k in coordinates if k not in spared]
 
 

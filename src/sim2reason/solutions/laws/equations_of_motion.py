@@ -89,15 +89,15 @@ class Names:
 
     def place(self, k: int) -> Polynomial:
         """Return a coordinate of the mechanism in terms of its symbol."""
-        return (Polynomial.of(self.places[k]) - self.origins[k]).scaled(self.senses[k])
+        return (Polynomial.from_expression(self.places[k]) - self.origins[k]).scale(self.senses[k])
 
     def rate(self, k: int) -> Polynomial:
         """Return the rate of a coordinate in terms of its symbol."""
-        return Polynomial.of(self.rates[k]).scaled(self.senses[k])
+        return Polynomial.from_expression(self.rates[k]).scale(self.senses[k])
 
     def acceleration(self, k: int) -> Polynomial:
         """Return the second derivative of a coordinate in terms of its symbol."""
-        return Polynomial.of(self.accelerations[k]).scaled(self.senses[k])
+        return Polynomial.from_expression(self.accelerations[k]).scale(self.senses[k])
 
 
 class EquationsOfMotion:
@@ -130,15 +130,15 @@ class EquationsOfMotion:
         """Return the generalized force along a coordinate, without constraints."""
         return self.read(self._here.force[k], self._there.force[k])
 
-    def pull(self, row: int, k: int) -> Polynomial:
+    def constraint_derivative(self, row: int, k: int) -> Polynomial:
         """Return the derivative of the length that a constraint fixes with respect to a coordinate."""
         here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
         return self.read(here, there)
 
-    def held(self, row: int) -> tuple[Polynomial, Polynomial]:
+    def constraint_sides(self, row: int) -> tuple[Polynomial, Polynomial]:
         """Return both sides of a constraint's second time derivative, which is linear in the accelerations."""
         size = range(len(self.mechanism.coordinates))
-        left = total(self.pull(row, k) * self.names.acceleration(k) for k in size)
+        left = total(self.constraint_derivative(row, k) * self.names.acceleration(k) for k in size)
         return left, self.read(*(rows[row].target for rows in self._rows))
 
     @cached_property
@@ -147,7 +147,7 @@ class EquationsOfMotion:
         starts = {line.name: 0.0 for line in self.mechanism.lines}
         return self._here.rows(starts), self._there.rows(starts)
 
-    def pressing(self, face: int) -> Polynomial:
+    def unconstrained_normal_force(self, face: int) -> Polynomial:
         """Return the normal force at a contact without the contributions of constraints."""
         size = range(len(self.mechanism.coordinates))
         parts = [
@@ -156,7 +156,7 @@ class EquationsOfMotion:
         ]
         return total(parts) - self.read(self._here.press[face], self._there.press[face])
 
-    def lifted(self, row: int, face: int) -> Polynomial:
+    def normal_force_contribution(self, row: int, face: int) -> Polynomial:
         """Return the contribution of a unit constraint force to the normal force at a contact."""
         return self.read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
 
@@ -165,7 +165,7 @@ class EquationsOfMotion:
         """Return the recorded equations of the mechanism and of its copy with other numbers."""
         return self._here, self._there
 
-    def both(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
+    def read_recorded(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
         """Return in the text's symbols a quantity that is read from the recorded equations."""
         return self.read(quantity(self._here), quantity(self._there))
 
@@ -184,9 +184,9 @@ class EquationsOfMotion:
         try:
             return self._lexicon.read(both)
         except UnreadError:
-            name = f"{UNREAD}{both.here!r}"
-            self.book.values[name] = both.here
-            return Polynomial.of(Symbol(name))
+            name = f"{UNREAD}{both.value!r}"
+            self.book.values[name] = both.value
+            return Polynomial.from_expression(Symbol(name))
 
     def _node(self, here: int, there: int) -> Polynomial:
         """Return an intermediate result of the recorded equations in the symbols of the text, from the cache."""
@@ -222,18 +222,18 @@ class EquationsOfMotion:
             c, d = d, c  # the tape orders operands by first use
         first = self._node(a, c)
         if operation in ("sin", "cos"):
-            return self._turned(operation, first)
+            return self._trigonometric_value(operation, first)
         if operation == "sqrt":
             return self._root(first)
         if operation == "neg":
-            return first.scaled(-1.0)
+            return first.scale(-1.0)
         return self._joined(operation, first, self._node(b, d))
 
     def _input(self, number: int) -> Polynomial:
         """Return the symbol of an input: time, a coordinate or a rate."""
         size = len(self.mechanism.coordinates)
         if number == 0:
-            return Polynomial.of(self.names.time)
+            return Polynomial.from_expression(self.names.time)
         return self.names.place(number - 1) if number <= size else self.names.rate(number - 1 - size)
 
     def _joined(self, operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
@@ -243,14 +243,14 @@ class EquationsOfMotion:
             (atom, part), *more = [*other.terms.items()] or [((), 0.0)]
             below = self._below.get(atom[0][0]) if len(atom) == 1 and atom[0][1] == 1 and not more else None
             if below is not None and (sign := _by_itself(one, below)):
-                return Polynomial.of(sign * part)
+                return Polynomial.from_expression(sign * part)
         if operation == "*" and (cube := self._cubed(first, second) or self._cubed(second, first)):
             return cube
         if operation == "/" and (sign := _by_itself(first, second)):
-            return Polynomial.of(sign)
+            return Polynomial.from_expression(sign)
         joined = _joined(operation, first, second)
         if operation == "/" and len(second.terms) > 1 and len(joined.terms) == 1 and first.number is not None:
-            self._below[next(iter(joined.terms))[0][0]] = second.scaled(1.0 / first.number)
+            self._below[next(iter(joined.terms))[0][0]] = second.scale(1.0 / first.number)
         return joined
 
     def _cubed(self, one: Polynomial, other: Polynomial) -> Polynomial | None:
@@ -262,19 +262,19 @@ class EquationsOfMotion:
         inside = self._squares.get(root) if root is not None else None
         return Polynomial({((root, 3),): part}) if root is not None and inside is not None and inside == other else None
 
-    def _turned(self, operation: str, angle: Polynomial) -> Polynomial:
+    def _trigonometric_value(self, operation: str, angle: Polynomial) -> Polynomial:
         """Return the sine or cosine of an angle; of a sum of symbols by the addition theorems."""
         symbol = angle.symbol
         if symbol is not None:
             sign = -1.0 if operation == "sin" and angle.terms[((symbol, 1),)] < 0.0 else 1.0
-            return Polynomial.of(Call("sin" if operation == "sin" else "cos", symbol)).scaled(sign)
+            return Polynomial.from_expression(Call("sin" if operation == "sin" else "cos", symbol)).scale(sign)
         parts = [Polynomial({monomial: part}) for monomial, part in angle.terms.items()]
         if len(parts) > 1 and all(part.symbol is not None for part in parts):
             first, rest = parts[0], total(parts[1:])
-            s, c = self._turned("sin", first), self._turned("cos", first)
-            s_rest, c_rest = self._turned("sin", rest), self._turned("cos", rest)
+            s, c = self._trigonometric_value("sin", first), self._trigonometric_value("cos", first)
+            s_rest, c_rest = self._trigonometric_value("sin", rest), self._trigonometric_value("cos", rest)
             return s * c_rest + c * s_rest if operation == "sin" else c * c_rest - s * s_rest
-        return Polynomial.of(Call("sin" if operation == "sin" else "cos", angle.expression()))
+        return Polynomial.from_expression(Call("sin" if operation == "sin" else "cos", angle.expression()))
 
     def _root(self, inside: Polynomial) -> Polynomial:
         """Return the square root of a polynomial."""
@@ -283,7 +283,7 @@ class EquationsOfMotion:
             return plain
         root = Root(inside.expression())
         self._squares[root] = inside
-        return Polynomial.of(root)
+        return Polynomial.from_expression(root)
 
 
 def _by_itself(one: Polynomial, other: Polynomial) -> float:
@@ -302,8 +302,8 @@ def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial
     if operation == "-":
         return first - second
     if second.number is not None:
-        return first.scaled(1.0 / second.number)
+        return first.scale(1.0 / second.number)
     if len(second.terms) == 1:
         (monomial, part), *_ = second.terms.items()
         return first * Polynomial({tuple((atom, -power) for atom, power in monomial): 1.0 / part})
-    return Polynomial.of(Quotient(first.expression(), second.expression())) if first else NIL
+    return Polynomial.from_expression(Quotient(first.expression(), second.expression())) if first else NIL

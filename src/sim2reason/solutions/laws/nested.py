@@ -9,7 +9,14 @@ from typing import Protocol
 from sim2reason.questions import SimulatedScene
 from sim2reason.questions.kinds.nested import NestedQuery
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied, simple_fraction
+from sim2reason.solutions.algebra.expressions import (
+    Expression,
+    Number,
+    Product,
+    Symbol,
+    multiply_factors,
+    simple_fraction,
+)
 from sim2reason.solutions.algebra.functions import Power, simplify_inverse
 from sim2reason.solutions.algebra.root_finding import substitute, substitute_all
 from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula, defined_by, simplified_form
@@ -23,10 +30,10 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, Uns
 MAX_WRITTEN_LENGTH = 200  # characters: longer formulas are checked, but not written
 MAX_SUBSTITUTED_LENGTH = 1000  # characters: no substitution into longer formulas
 
-NEW = r"\text{new}"
-AGAIN = "still holds"  # begins the labels of comparisons that also hold for another value of a number
+NEW_SUBSCRIPT = r"\text{new}"
+REPEATED_CHECK_PREFIX = "still holds"  # begins the labels of comparisons that also hold for another value of a number
 UNSHORTENED = 200  # characters: longer formulas hardly become short
-SHORT = 130  # characters of a formula into which another value is substituted, at most
+MAX_INSERTION_LENGTH = 130  # characters of a formula into which another value is substituted, at most
 
 
 class AnswerStrategy(Protocol):
@@ -85,12 +92,12 @@ def with_other_value(
     step = book.begin_step("other value")
     for label in (
         goal,
-        *(name for earlier_step in book.steps for name in earlier_step.gives if name.startswith(AGAIN)),
+        *(name for earlier_step in book.steps for name in earlier_step.gives if name.startswith(REPEATED_CHECK_PREFIX)),
     ):
         step.rest_on(label)
-    if goal_formula is not None and other is not None and len(other.latex()) <= SHORT:
-        after = book.fresh(goal, NEW)
-        step.add_text(inserted(book, goal, step.derived(Symbol(goal), goal_formula)))
+    if goal_formula is not None and other is not None and len(other.latex()) <= MAX_INSERTION_LENGTH:
+        after = book.fresh(goal, NEW_SUBSCRIPT)
+        step.add_text(insertion_sentence(book, goal, step.derived(Symbol(goal), goal_formula)))
         step.add_text(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         equations: list[str] = []
@@ -100,7 +107,7 @@ def with_other_value(
                 continue
             if _is_in_numbers(formula):
                 raise UnsolvedError("the equations on the way were solved in numbers")
-            after = book.fresh(name, NEW)
+            after = book.fresh(name, NEW_SUBSCRIPT)
             equations.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
             renamed[name] = after
         step.add_text(f"{lead}, the same equations give {join_words(equations)}.")
@@ -108,7 +115,7 @@ def with_other_value(
     return Symbol(book.last)
 
 
-def inserted(book: SolutionBuilder, goal: str, equation: str) -> str:
+def insertion_sentence(book: SolutionBuilder, goal: str, equation: str) -> str:
     """Return the sentence that states the equation of a result after all quantities have been inserted."""
     names = [f"${name}$" for name, _ in reversed(_leading(book, goal)) if name != goal]
     lead = f"Inserting {join_words(names)} into the equation for ${goal}$ gives" if names else "In short,"
@@ -131,7 +138,7 @@ def _shortened(formula: Expression) -> Expression | None:
         simplified = simplified_form(formula)
     except ClosedFormError:
         return None
-    return simplified.expression if len(simplified.latex) <= SHORT else None
+    return simplified.expression if len(simplified.latex) <= MAX_INSERTION_LENGTH else None
 
 
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
@@ -150,7 +157,7 @@ def _multiplied_out(formula: Expression) -> Expression:
     expanded = formula.built_of([_multiplied_out(part) for part in formula.parts])
     match expanded:
         case Power(Product((Number(x), *others)), exponent):
-            return multiplied(Number(x**exponent), Power(reduce(multiplied, others), exponent))
+            return multiply_factors(Number(x**exponent), Power(reduce(multiply_factors, others), exponent))
         case _:
             return simplify_inverse(expanded)
 
@@ -187,7 +194,7 @@ def _whole(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expressio
     return combined_formula(Solution("", steps, book.values, goal, answer=book.values[goal], constants=book.constants))
 
 
-def lone_symbol(setting: ProblemContext, path: str) -> str:
+def independent_symbol(setting: ProblemContext, path: str) -> str:
     """Return the symbol of the number at an address; UnsolvedError if another number shares it."""
     given = setting.lexicon.givens.get(path)
     alike = [other for other in setting.lexicon.givens.values() if given is not None and other.symbol == given.symbol]
@@ -259,17 +266,17 @@ def _verify(book: SolutionBuilder, step: Step, relation: Relation, sides: Sequen
     record_inequality(book, writing, left, right)
     if max(len(side.latex()) for side in sides) > MAX_WRITTEN_LENGTH:
         return
-    side_texts = [_told(writing, step, pair) for pair in ((relation.left, left), (relation.right, right))]
+    side_texts = [_write_side(writing, step, pair) for pair in ((relation.left, left), (relation.right, right))]
     writing.add_text(f"{lead}, {side_texts[0]} still exceeds {side_texts[1]}.")
-    writing.label(f"{AGAIN} {len(book.steps)}")
+    writing.label(f"{REPEATED_CHECK_PREFIX} {len(book.steps)}")
     writing.close()
 
 
-def _told(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
+def _write_side(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
     """Return one side of an inequality as LaTeX: its new value by a new name, or the old name if it is unchanged."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:
         return f"${(after if named is None else named.left).latex()}$"
-    name = Symbol(with_subscript(named.left.latex(), NEW))
+    name = Symbol(with_subscript(named.left.latex(), NEW_SUBSCRIPT))
     return writing.verified(name, after, named.unit)

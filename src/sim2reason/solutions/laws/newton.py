@@ -14,7 +14,7 @@ from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Triple, applied, dot
+from sim2reason.scenes.dsl.vectors import Triple, apply_tensor, dot
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
@@ -25,7 +25,7 @@ Side = tuple[Mechanism, Frames]
 
 def symbol(kind: str, number: int) -> Polynomial:
     """Return an unknown such as ``q3``, ``T1`` or ``N0`` as a polynomial."""
-    return Polynomial.of(Symbol(f"{kind}{number}"))
+    return Polynomial.from_expression(Symbol(f"{kind}{number}"))
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Newton:
         """Return, by coordinate, the factor of its rate: the largest rim radius of a rotating body, or 1."""
         factors = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
-            factors[k] = max(radii, key=lambda both: both.here)
+            factors[k] = max(radii, key=lambda both: both.value)
         for number, face in enumerate(self.mechanism.faces):
             for index, (name, _) in enumerate(face.slip):
                 k = self.mechanism.number[name]
@@ -164,7 +164,7 @@ class Newton:
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
         """Return the scalar product of two vectors: a body's displacements per unit of two of its coordinates."""
         if k == j:
-            return Polynomial.of(1.0)
+            return Polynomial.from_expression(1.0)
         return self.read(lambda _, f: dot(f.center(body).gradient[k], f.center(body).gradient[j]))
 
     def _turning(self, k: int) -> list[Polynomial]:
@@ -180,7 +180,7 @@ class Newton:
             for body in m.bodies:
                 axes = f[body.name].turning.gradient
                 if any(body.inertia) and k in axes and j in axes:
-                    total += float(dot(axes[k], applied(body.inertia, axes[j])))
+                    total += float(dot(axes[k], apply_tensor(body.inertia, axes[j])))
             return total
 
         return self._over(self._both(inertia), k, j)
@@ -188,7 +188,7 @@ class Newton:
     def _pull(self, number: int, line: Line, k: int) -> Polynomial:
         """Return the component along a coordinate of the force that a line exerts."""
         tension = self.tension(number, line)
-        return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
+        return (tension * self.stretch(number, k)).scale(-1.0) if tension else NIL
 
     def tension(self, number: int, line: Line) -> Polynomial:
         """Return the tension of a line: an unknown, the force of a hand, or zero if it is slack."""
@@ -221,7 +221,7 @@ class Newton:
         terms = [
             self.stretch(number, k) * symbol("q", k)
             for k in range(len(self.mechanism.coordinates))
-            if self._stretch(number, k).here
+            if self._stretch(number, k).value
         ]
         return Row("string", place, NIL, total(terms))
 
@@ -254,7 +254,7 @@ class Newton:
             return NIL
         if side == 0:
             return symbol("f", face)
-        return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
+        return (self.coefficient(face) * symbol("N", face)).scale(float(-side))
 
     def coefficient(self, face: int) -> Polynomial:
         """Return the symbol of the coefficient of kinetic friction of a contact, such as µ or µ_k."""
@@ -286,7 +286,7 @@ class Newton:
         for number, line in enumerate(self.mechanism.lines):
             lifted = self.read(lambda m, f, n=number: sum(float(p.lift.get(face, 0.0)) for p in f.pieces(m.lines[n])))
             if lifted:
-                forces.append((self.tension(number, line) * lifted).scaled(-1.0))
+                forces.append((self.tension(number, line) * lifted).scale(-1.0))
         return Row("normal", face, total(forces), total(inertia))
 
     def rolling(self, face: int) -> Row:
@@ -297,7 +297,7 @@ class Newton:
     def values(self) -> dict[str, float]:
         """Return the values of the unknowns, in SI units, as the engine computed them."""
         force_balance = self.segment.found
-        scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(force_balance.a, self.scale, strict=True))}
+        scaled = {f"q{k}": a * s.value for k, (a, s) in enumerate(zip(force_balance.a, self.scale, strict=True))}
         tension = {f"T{n}": value for n, value in enumerate(force_balance.rows)}
         normal = {f"N{n}": value for n, value in enumerate(force_balance.normal)}
         return {**scaled, **tension, **normal, **{f"f{n}": value for n, value in enumerate(force_balance.friction)}}

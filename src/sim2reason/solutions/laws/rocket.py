@@ -37,7 +37,7 @@ class Burning(StraightMotion):
 
     def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
         """Return a number of the mechanism in the symbols of the text."""
-        return self.setting.lexicon.of(number)
+        return self.setting.lexicon.formula_for(number)
 
     @property
     def burn(self) -> MassEjection:
@@ -55,12 +55,12 @@ class Burning(StraightMotion):
         return self._read(lambda m: m.burns[0].exhaust).expression()
 
     @cached_property
-    def first(self) -> Expression:
+    def initial_mass(self) -> Expression:
         """Return the initial mass with all fuel, kg."""
         return self._read(lambda m: m.body[m.burns[0].body].mass).expression()
 
     @cached_property
-    def dry(self) -> Expression:
+    def dry_mass(self) -> Expression:
         """Return the mass without fuel, kg."""
         return self._read(lambda m: m.body[m.burns[0].body].mass - m.burns[0].rate * m.burns[0].until).expression()
 
@@ -72,21 +72,21 @@ class Burning(StraightMotion):
     # ---- the moment
 
     @property
-    def waits(self) -> bool:
+    def waits_on_ground(self) -> bool:
         """Return whether the rocket stays on the ground until it is light enough."""
         return self.setting.motion.segments[0].a[0] <= 0.0
 
     @property
-    def out(self) -> bool:
+    def is_burned_out(self) -> bool:
         """Return whether the engine is off at the moment of the question."""
         return self.setting.time > self.burn.until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
 
     @cached_property
-    def full(self) -> Expression:
+    def lift_off_mass(self) -> Expression:
         """Write the mass at lift-off with the reason, and return it."""
-        if not self.waits:
-            self._tell_rising()
-            return self.first
+        if not self.waits_on_ground:
+            self._write_rising()
+            return self.initial_mass
         formula = self.rate_of_burning * self.exhaust / self.gravity.expression()
         step, name = self.book.begin_step("wait"), self.book.fresh("m", r"\text{lift}")
         equal = step.result(name, formula, KILOGRAMS, law=True)
@@ -98,13 +98,13 @@ class Burning(StraightMotion):
 
     def _heavier(self, step: StepBuilder, lift: Symbol) -> str:
         """Return a clause that the thrust is at first too small: as shown, assumed, or to be verified at the end."""
-        larger = f"{self.first.latex()} > {lift.latex()}"
+        larger = f"{self.initial_mass.latex()} > {lift.latex()}"
         if self.book.in_symbols:
             return f"By assumption ${larger}$, so"
-        if self.book.is_hidden(self.first - lift):
-            self.book.afterwards.append(lambda: verify_assumed(self.book, self.first, lift, larger))
+        if self.book.is_hidden(self.initial_mass - lift):
+            self.book.afterwards.append(lambda: verify_assumed(self.book, self.initial_mass, lift, larger))
             return f"Assume that ${larger}$; then"
-        record_inequality(self.book, step, self.first, lift)
+        record_inequality(self.book, step, self.initial_mass, lift)
         return f"As ${larger}$,"
 
     def exclude_rising(self, time: Symbol, longest: Expression) -> None:
@@ -113,7 +113,7 @@ class Burning(StraightMotion):
         record_inequality(self.book, step, time, longest)
         equation = self._observed(step, r"\text{max}", longest)
         step.add_text(
-            f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,"
+            f"If {self.name} rose from the start, ${self.initial_mass.latex()}$ would be at most ${self.lift_off_mass.latex()}$,"
         )
         step.add_text(
             f"and {self.name} would come to rest at the latest after {equation}, which is before the given time."
@@ -122,28 +122,34 @@ class Burning(StraightMotion):
 
     def _risen(self, time: Expression) -> Expression:
         """Return how long the rocket has risen at a given time."""
-        return time - self._wait if self.waits else time
+        return time - self._wait if self.waits_on_ground else time
 
     @cached_property
     def _wait(self) -> Symbol:
         """Return the time until lift-off."""
-        text, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
+        text, formula = (
+            f"The mass of {self.name} has fallen to this value after",
+            self.initial_mass - self.lift_off_mass,
+        )
         name = self.book.fresh("t", r"\text{lift}")
         return self.book.add_step("wait", text, name, formula / self.rate_of_burning, SECONDS)
 
     @cached_property
-    def rising(self) -> Symbol:
+    def ascent_duration(self) -> Symbol:
         """Return the duration of the ascent with the engine on."""
-        if not self.waits:
+        if not self.waits_on_ground:
             return self.burned
-        text, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        text, formula = (
+            "From lift-off on, the fuel lasts for",
+            (self.lift_off_mass - self.dry_mass) / self.rate_of_burning,
+        )
         return self.book.add_step("time", text, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
     def burned(self) -> Symbol:
         """Return the time of burnout, when no fuel is left."""
-        formula = (self.first - self.dry) / self.rate_of_burning
-        base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
+        formula = (self.initial_mass - self.dry_mass) / self.rate_of_burning
+        base = self.book.fresh("t", r"\text{out}") if self.is_burned_out else self.book.fresh("t")
         return self.book.add_step("time", "The fuel lasts for", base, formula, SECONDS)
 
     @property
@@ -152,26 +158,33 @@ class Burning(StraightMotion):
         return "By the rocket equation, with gravity" if self.gravity else "By the rocket equation"
 
     @cached_property
-    def since(self) -> Symbol:
+    def time_since_lift_off(self) -> Symbol:
         """Return the symbol of the time since lift-off as a variable."""
         return self.book.fresh(r"\tau")
 
     @property
     def course(self) -> str:
         """Return a clause with the velocity as a function of the time since lift-off."""
-        since = "lift-off" if self.waits else "the start"
+        since = "lift-off" if self.waits_on_ground else "the start"
         text = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${self._velocity.latex()}$"
-        return f"{text} at the time ${self.since.latex()}$ after {since}"
+        return f"{text} at the time ${self.time_since_lift_off.latex()}$ after {since}"
 
     @property
     def _velocity(self) -> Expression:
         """Return the velocity as a function of the time since lift-off."""
-        velocity_gain = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * self.since))
-        return velocity_gain - self.gravity.expression() * self.since if self.gravity else velocity_gain
+        velocity_gain = self.exhaust * Call(
+            "ln", ratio(self.lift_off_mass, self.lift_off_mass - self.rate_of_burning * self.time_since_lift_off)
+        )
+        return velocity_gain - self.gravity.expression() * self.time_since_lift_off if self.gravity else velocity_gain
 
     def integrated(self, left: Expression, risen: Expression) -> str:
         """Return words that integrate the velocity over time, with the mass as the variable of integration."""
-        time, name, full, rate = self.since.latex(), self.book.fresh("x"), self.full, self.rate_of_burning
+        time, name, full, rate = (
+            self.time_since_lift_off.latex(),
+            self.book.fresh("x"),
+            self.lift_off_mass,
+            self.rate_of_burning,
+        )
         x, speed, fallen = name.latex(), self._velocity.latex(), ""
         if self.gravity:
             fallen = f" - {(HALF * self.gravity.expression() * Power(risen, 2)).latex()}"
@@ -179,14 +192,14 @@ class Burning(StraightMotion):
         log = Call("ln", ratio(full, name))
         masses = rf"\int_{{{left.latex()}}}^{{{full.latex()}}} {log.latex()}\,\mathrm{{d}}{x}"
         return (
-            rf"With ${x}$ for ${(full - rate * self.since).latex()}$, and so $-\mathrm{{d}}{x}/{rate.latex()}$ for "
+            rf"With ${x}$ for ${(full - rate * self.time_since_lift_off).latex()}$, and so $-\mathrm{{d}}{x}/{rate.latex()}$ for "
             rf"$\mathrm{{d}}{time}$, its integral $\int_0^{{{risen.latex()}}} {speed}\,\mathrm{{d}}{time}$ becomes "
             rf"${ratio(self.exhaust, rate).latex()} {masses}{fallen}$; the antiderivative of ${log.latex()}$ is "
             rf"${(name * log + name).latex()}$."
         )
 
     @property
-    def who(self) -> str:
+    def capitalized_name(self) -> str:
         """Return the name of the rocket, capitalized."""
         return capitalized(self.name)
 
@@ -195,7 +208,7 @@ class Burning(StraightMotion):
         """Return the name of the rocket within a sentence."""
         return self.setting.display_name(self.burn.body)
 
-    def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
+    def write_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
         """Call `write` now if the given formulas have known values, else after the answer; return whether now."""
         if not any(map(self.book.is_hidden, held)):
             write()
@@ -204,11 +217,11 @@ class Burning(StraightMotion):
             self.book.afterwards.append(write)
         return False
 
-    def _tell_rising(self) -> None:
+    def _write_rising(self) -> None:
         """Write that the thrust exceeds the weight from the start."""
         if self.gravity and not self.mechanism.attractions:
-            thrust, weight = self.rate_of_burning * self.exhaust, self.first * self.gravity.expression()
-            self.told_when_known(lambda: self._verify_rising(thrust, weight), thrust, weight)
+            thrust, weight = self.rate_of_burning * self.exhaust, self.initial_mass * self.gravity.expression()
+            self.write_when_known(lambda: self._verify_rising(thrust, weight), thrust, weight)
 
     def _verify_rising(self, thrust: Expression, weight: Expression) -> None:
         """Write the comparison of thrust and weight."""
@@ -219,7 +232,7 @@ class Burning(StraightMotion):
         equations = [step.verified(name, force, NEWTONS) for name, force in pairs]
         record_inequality(self.book, step, thrust, weight)
         step.add_text(
-            f"{self.who} rises from the start, since the thrust {equations[0]} exceeds the weight {equations[1]}."
+            f"{self.capitalized_name} rises from the start, since the thrust {equations[0]} exceeds the weight {equations[1]}."
         )
         step.close()
 
@@ -231,10 +244,10 @@ class Burning(StraightMotion):
         moving = f"{self.name} is moving {'up' if rises else 'down'}"
         return f"Assume that at ${time.latex()}$ no fuel is left and that {moving}. "
 
-    def tell_spent(self, time: Symbol) -> bool:
+    def write_burnout(self, time: Symbol) -> bool:
         """Write that no fuel is left at a time, now or after the answer; return whether the text is written now."""
-        formula = (self.first - self.dry) / self.rate_of_burning
-        return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
+        formula = (self.initial_mass - self.dry_mass) / self.rate_of_burning
+        return self.write_when_known(lambda: self._verify_spent(time, formula), formula, time)
 
     def _verify_spent(self, time: Symbol, formula: Expression) -> None:
         """Write the comparison of a time with the time of burnout."""
@@ -291,15 +304,21 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
     if book.value(velocity) > 0.0:
         _exclude_falling(rocket, velocity, risen)
         return
-    log, burning = Call("ln", ratio(rocket.full, rocket.dry)), (rocket.full - rocket.dry) / rocket.rate_of_burning
+    log, burning = (
+        Call("ln", ratio(rocket.lift_off_mass, rocket.dry_mass)),
+        (rocket.lift_off_mass - rocket.dry_mass) / rocket.rate_of_burning,
+    )
     height = (
-        u * log * risen - u * (rocket.full / rocket.rate_of_burning) * log + u * burning - HALF * g * Power(risen, 2)
+        u * log * risen
+        - u * (rocket.lift_off_mass / rocket.rate_of_burning) * log
+        + u * burning
+        - HALF * g * Power(risen, 2)
     )
     step, name = book.begin_step("verify"), book.fresh("h")
     record_inequality(book, step, height, ZERO)
     equation = step.verified(name, height, METRES)
     step.add_text(
-        f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is"
+        f"{rocket.capitalized_name} is falling then, but it is still in the air: by integration of its velocity, its height is"
     )
     step.add_text(f"{equation}.")
     step.close()
@@ -307,17 +326,17 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
 
 def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
     """Write that a rocket cannot have turned back."""
-    book, dry, g = rocket.book, rocket.dry, rocket.gravity.expression()
+    book, dry, g = rocket.book, rocket.dry_mass, rocket.gravity.expression()
     if not isinstance(dry, Symbol) or book.sought != dry.name or velocity.name not in book.stated:
         return
-    would = rocket.full / Call("exp", (g * risen - velocity) / rocket.exhaust)
-    if book.value(would) <= book.value(rocket.full):
+    would = rocket.lift_off_mass / Call("exp", (g * risen - velocity) / rocket.exhaust)
+    if book.value(would) <= book.value(rocket.lift_off_mass):
         return
     step, name = book.begin_step("verify"), book.fresh(dry.name, r"\text{down}")
-    record_inequality(book, step, would, rocket.full)
+    record_inequality(book, step, would, rocket.lift_off_mass)
     equation = step.verified(name, would, KILOGRAMS)
     step.add_text(f"If {rocket.name} moved down at this speed, its empty mass would be {equation}, more than the mass")
-    step.add_text(f"${rocket.full.latex()}$ at which it begins to rise.")
+    step.add_text(f"${rocket.lift_off_mass.latex()}$ at which it begins to rise.")
     step.close()
 
 
@@ -330,10 +349,10 @@ def exclude_burning(rocket: Burning, time: Symbol) -> None:
     far = next((name for name, unit in book.units.items() if name in book.stated and unit == METRES), "")
     target = query.target.quantity if query.target is not None else ""
     unknown = isinstance(rate, Symbol) and book.sought == rate.name
-    if not unknown or rocket.waits or not far or target not in ("displacement", "distance from start"):
+    if not unknown or rocket.waits_on_ground or not far or target not in ("displacement", "distance from start"):
         return
-    log, fuel = Call("ln", ratio(rocket.first, rocket.dry)), rocket.first - rocket.dry
-    most = rocket.exhaust * time - rocket.exhaust * rocket.dry * time / fuel * log
+    log, fuel = Call("ln", ratio(rocket.initial_mass, rocket.dry_mass)), rocket.initial_mass - rocket.dry_mass
+    most = rocket.exhaust * time - rocket.exhaust * rocket.dry_mass * time / fuel * log
     if rocket.gravity:
         most = most - HALF * rocket.gravity.expression() * Power(time, 2)
     if book.value(most) >= book.values[far]:

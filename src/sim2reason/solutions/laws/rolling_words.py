@@ -66,7 +66,7 @@ def rolling_words(dynamics: Dynamics, body: str, shared: SharedRate) -> str:
     return f"{who} rolls without slipping, so its {radius} times {rate}{sense} is ${shared.symbol.name}$, too."
 
 
-def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
+def rolling_direction_words(dynamics: Dynamics, k: int, sense: float) -> str:
     """Return words for the direction in which a body rolls for a sense of rotation; "" without a surface."""
     for face in range(len(dynamics.mechanism.faces)):
         slip = dynamics.newton.slip(face)
@@ -81,15 +81,15 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
 def _positive(dynamics: Dynamics, shared: SharedRate, *, last: bool = True) -> str:
     """Return words that say which sense of a rotation counts as positive, as an aside; "" without a rotation."""
     hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
-    ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
+    ways = [(k, sense, rolling_direction_words(dynamics, k, float(sense))) for k, sense in hinges]
     if not ways:
         return ""
     k, sense, direction = ways[0]
-    how = f"in the sense of rolling {direction}" if direction else winding_way(dynamics, k, sense)
+    how = f"in the sense of rolling {direction}" if direction else winding_direction_words(dynamics, k, sense)
     return f", counted as positive {how}{'' if last else ','}" if how else ""
 
 
-def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
+def winding_direction_words(dynamics: Dynamics, k: int, sense: int) -> str:
     """Return words for the positive sense of a pulley's rotation, such as *when the string runs onto pulley P*.
 
     The words are empty if no string runs over the pulley.

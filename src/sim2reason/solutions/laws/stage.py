@@ -10,14 +10,14 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Quotient,
     Symbol,
-    added,
-    multiplied,
+    multiply_factors,
     ratio,
+    sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
 from sim2reason.solutions.closed_forms.symbolic_answers import acceleration_over_distance
-from sim2reason.solutions.laws.directions import tell_not_turned, tell_turning_only_later, turned_before
+from sim2reason.solutions.laws.directions import earlier_turn_words, write_first_passage, write_later_turning
 from sim2reason.solutions.laws.dynamics import RATE_RTOL, SharedRate
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, glided_words, speed_words
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
@@ -66,10 +66,10 @@ class Stage:
     def relative(self, kind: str, k: int) -> Polynomial:
         """Return a final velocity ``v`` or displacement ``s`` relative to the carrier of the body."""
         of = {"v": self.velocity, "s": self.place}[kind]
-        if k not in self.dynamics.carried:
+        if k not in self.dynamics.carrier_coordinates:
             return of(k)
-        j, sign = self.dynamics.carried[k]
-        return of(k) - of(j).scaled(sign)
+        j, sign = self.dynamics.carrier_coordinates[k]
+        return of(k) - of(j).scale(sign)
 
     def reach(self, goals: Sequence[str]) -> None:
         """Write the derivation of the accelerations and forces in `goals`, such as ``q3`` or ``T1``."""
@@ -89,7 +89,7 @@ class Stage:
         shared = self._shared(k)
         if shared is None:
             return NIL if k in self.dynamics.frozen else self.speeds.get(k, NIL)
-        return self._at_end(shared).scaled(float(shared.sense[k]))
+        return self._at_end(shared).scale(float(shared.sense[k]))
 
     def place(self, k: int) -> Polynomial:
         """Return the displacement along a coordinate at the end, since the start of the motion, m."""
@@ -100,7 +100,7 @@ class Stage:
             if self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
                 raise UnsolvedError("a coordinate that keeps its speed without a law")
             return before
-        return before + self._travelled(shared).scaled(float(shared.sense[k]))
+        return before + self._travelled(shared).scale(float(shared.sense[k]))
 
     def gain(self, k: int) -> Polynomial:
         """Return the displacement along a coordinate in this stage, m."""
@@ -111,33 +111,33 @@ class Stage:
             return self.end.distance
         if shared is None and k not in self.dynamics.frozen:
             raise UnsolvedError("a coordinate whose acceleration is not found")
-        return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
+        return self._travelled(shared).scale(float(shared.sense[k])) if shared is not None else NIL
 
     def gained(self, k: int) -> Polynomial:
         """Return the displacement along a coordinate in this stage, relative to the carrier of the body, m."""
-        if k not in self.dynamics.carried:
+        if k not in self.dynamics.carrier_coordinates:
             return self.gain(k)
-        j, sign = self.dynamics.carried[k]
-        return self.gain(k) - self.gain(j).scaled(sign)
+        j, sign = self.dynamics.carrier_coordinates[k]
+        return self.gain(k) - self.gain(j).scale(sign)
 
     def path(self, k: int) -> Expression:
         """Return the distance travelled along a coordinate in this stage, with reversals, m."""
         shared = None if self.uniform else self._shared(k)
         if shared is None or (self._ends(shared) and self.end.distance is not None):  # no reversal before the end
             return self._size(self.gain(k).expression())
-        begun, late = self._begun(shared), self._value(shared, moved=False)
+        begun, late = self._initial_velocity(shared), self._value(shared, moved=False)
         early = self.book.value(begun.expression())
         if not early or early * late >= -RATE_RTOL * abs(early):
             gone = self._travelled(shared).expression()
-            tell_turning_only_later(self.book, begun.factored(), shared.symbol, self.written_time)
+            write_later_turning(self.book, begun.factored(), shared.symbol, self.written_time)
             return self._size(gone)
         step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
-        formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
+        formula = -Quotient(Power(begun.factored(), 2), multiply_factors(Number(2.0), shared.symbol))
         where = f"at {step.result(name, formula, METRES, law=True)}"
-        turned = turned_before(self.book, step, begun.factored(), shared.symbol, self.time)
+        turned = earlier_turn_words(self.book, step, begun.factored(), shared.symbol, self.time)
         step.add_text(f"It turns back where its velocity is zero, {where}{turned}.")
         step.close()
-        return added(self._size(name), self._size(self._travelled(shared).expression() - name))
+        return sum_terms(self._size(name), self._size(self._travelled(shared).expression() - name))
 
     def _size(self, held: Expression) -> Expression:
         """Return the magnitude of a formula: the formula, or its negative if its value is negative."""
@@ -148,10 +148,10 @@ class Stage:
         if not self.speeds.get(k, NIL):
             return before
         time, step, name = self.time, self.book.begin_step("distance"), self.book.fresh("s")
-        formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
+        formula = (before + self.speeds[k] * Polynomial.from_expression(time)).expression()
         step.add_text(f"{glided_words(self.dynamics, k)} {step.result(name, formula, METRES, law=True)}.")
         step.close()
-        return Polynomial.of(name)
+        return Polynomial.from_expression(name)
 
     def _at_constant_velocity(self) -> Symbol:
         """Write the duration of a stage at constant velocity that ends at a distance, s."""
@@ -170,10 +170,10 @@ class Stage:
         """Return the common rate to which the rate of a coordinate belongs; None if the laws name no such rate."""
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
 
-    def _begun(self, shared: SharedRate) -> Polynomial:
+    def _initial_velocity(self, shared: SharedRate) -> Polynomial:
         """Return the initial velocity of bodies with a common rate, positive in the sense of the rate's symbol."""
         k, sense = next(iter(shared.sense.items()))
-        return self.speeds.get(k, NIL).scaled(float(sense))
+        return self.speeds.get(k, NIL).scale(float(sense))
 
     def _ends(self, shared: SharedRate) -> bool:
         """Return whether one of the coordinates with a common rate ends the stage."""
@@ -182,7 +182,7 @@ class Stage:
     def _value(self, shared: SharedRate, *, moved: bool) -> float:
         """Return, from the engine, the final velocity, m/s, or displacement, m, of bodies with a common rate."""
         k, sense = next(iter(shared.sense.items()))
-        scale = sense * self.dynamics.newton.scale[k].here
+        scale = sense * self.dynamics.newton.scale[k].value
         own = self.dynamics.relative_to_ground
         v, a = scale * own(self.segment.v)[k], scale * own(self.segment.found.a)[k]
         return v * self.span + 0.5 * a * self.span**2 if moved else v + a * self.span
@@ -201,9 +201,9 @@ class Stage:
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.begin_step("time"), self.book.fresh("t")
-        law = step.law(*balance(begun + gained * Polynomial.of(name)))
+        law = step.law(*balance(begun + gained * Polynomial.from_expression(name)))
         swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # makes both parts positive
-        formula = ratio(begun.scaled(swapped).expression(), gained.scaled(-swapped).expression())
+        formula = ratio(begun.scale(swapped).expression(), gained.scale(-swapped).expression())
         step.add_text(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
@@ -217,13 +217,13 @@ class Stage:
         shared = self._shared(self.end.coordinate)
         if shared is None:
             raise UnsolvedError("what ends a stage does not move")
-        begun, a = self._begun(shared).factored(), shared.symbol
+        begun, a = self._initial_velocity(shared).factored(), shared.symbol
         step, name = self.book.begin_step("time"), self.book.fresh("t")
         if self.end.distance is None:
-            law = step.law(added(begun, multiplied(a, name)), ZERO)
+            law = step.law(sum_terms(begun, multiply_factors(a, name)), ZERO)
             step.add_text(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
         else:
-            distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+            distance = self.end.distance.scale(float(shared.sense[self.end.coordinate])).expression()
             rate, why = self._over(shared)
             law = step.law(distance, _path(begun, rate, name))
             result = step.result(name, self._root(shared, distance), SECONDS)
@@ -231,25 +231,25 @@ class Stage:
                 why = why_this_time(self.book, step, name, self._root(shared, distance, first=False))
             step.add_text(f"{self.end.what} {law}, so {result}{why}.")
             slowed = self.book.value(begun) > 0.0 > self.book.value(a)
-            if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
+            if slowed and self.book.is_hidden(sum_terms(begun, a)) and self._value(shared, moved=False) > 0.0:
                 who = self.setting.display_name(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
-                self.book.afterwards.append(lambda: tell_not_turned(self.book, begun, a, name, who))
+                self.book.afterwards.append(lambda: write_first_passage(self.book, begun, a, name, who))
         step.close()
         return name
 
     def _root(self, shared: SharedRate, distance: Expression, *, first: bool = True) -> Expression:
         """Return the first positive root t of d = v t + ½ a t², or the other root."""
-        begun, a = self._begun(shared).factored(), shared.symbol
+        begun, a = self._initial_velocity(shared).factored(), shared.symbol
         if begun == ZERO:
-            return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))
-        under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
+            return Root(Quotient(multiply_factors(Number(2.0), distance), self._over(shared)[0]))
+        under = sum_terms(Power(begun, 2), multiply_factors(Number(2.0), multiply_factors(a, distance)))
         sign = 1.0 if (self._value(shared, moved=False) >= 0.0) is first else -1.0
-        return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
+        return Quotient(sum_terms(multiply_factors(Number(sign), Root(under)), -begun), a)
 
     def _over(self, shared: SharedRate) -> tuple[Expression, str]:
         """Return the acceleration for d = ½ a t², or its magnitude for motion either way, and a clause saying why."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
-        begun = self._begun(shared).factored()
+        begun = self._initial_velocity(shared).factored()
         return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
     def _at_end(self, shared: SharedRate) -> Polynomial:
@@ -263,31 +263,31 @@ class Stage:
         """Write the final velocity, m/s: v + a t, or √(v² + 2 a d) for a known distance."""
         if self._ends(shared) and self.end.distance is None and self.end.time is None:
             return NIL
-        begun, a = self._begun(shared).factored(), shared.symbol
+        begun, a = self._initial_velocity(shared).factored(), shared.symbol
         if self._ends(shared) and self.end.distance is not None:
             return self._by_distance(shared, begun)
         time = self.time
         step, name = self.book.begin_step("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
-        equation = step.result(name, added(begun, multiplied(a, time)), SPEED, law=True)
+        equation = step.result(name, sum_terms(begun, multiply_factors(a, time)), SPEED, law=True)
         words = speed_words(self.dynamics, shared, begun, name)
         step.add_text(f"After the time ${time.name}$, {words}{equation}.")
         step.close()
-        return Polynomial.of(name)
+        return Polynomial.from_expression(name)
 
     def _by_distance(self, shared: SharedRate, begun: Expression) -> Polynomial:
         """Write the final velocity after a known distance."""
         assert self.end.distance is not None
-        distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+        distance = self.end.distance.scale(float(shared.sense[self.end.coordinate])).expression()
         step, name = self.book.begin_step("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         rate, why = self._over(shared)
-        square = added(sum_of_squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
+        square = sum_terms(sum_of_squares([begun]), multiply_factors(Number(2.0), multiply_factors(rate, distance)))
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
         step.add_text(
-            f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}{why}."
+            f"{self.end.what} {law}, so {step.result(name, multiply_factors(Number(sign), Root(square)), SPEED)}{why}."
         )
         step.close()
-        return Polynomial.of(name)
+        return Polynomial.from_expression(name)
 
     def _travelled(self, shared: SharedRate) -> Polynomial:
         """Return the displacement in this stage of bodies with a common rate, written once."""
@@ -299,12 +299,12 @@ class Stage:
     def _distance(self, shared: SharedRate) -> Polynomial:
         """Write the displacement, m: v t + ½ a t², or v²/2a for a body that comes to rest."""
         if self._ends(shared) and self.end.distance is not None:
-            return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
-        begun, a = self._begun(shared).factored(), shared.symbol
+            return self.end.distance.scale(float(shared.sense[self.end.coordinate]))
+        begun, a = self._initial_velocity(shared).factored(), shared.symbol
         if self._ends(shared) and self.end.time is None:
             step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
-            law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
-            formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
+            law = step.law(sum_terms(Power(begun, 2), multiply_factors(Number(2.0), multiply_factors(a, name))), ZERO)
+            formula = -Quotient(Power(begun, 2), multiply_factors(Number(2.0), a))
             step.add_text(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
         else:
             time = self.time
@@ -315,9 +315,9 @@ class Stage:
             )
             step.add_text(f"After the time ${time.name}$, {what}{equation}.")
         step.close()
-        return Polynomial.of(name)
+        return Polynomial.from_expression(name)
 
 
 def _path(begun: Expression, a: Expression, time: Expression) -> Expression:
     """Return the displacement v t + ½ a t² at constant acceleration."""
-    return added(multiplied(begun, time), multiplied(HALF, multiplied(a, Power(time, 2))))
+    return sum_terms(multiply_factors(begun, time), multiply_factors(HALF, multiply_factors(a, Power(time, 2))))

@@ -9,14 +9,14 @@ from typing import Protocol
 
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.laws.directions import rubs_at_rest, sliding_coordinates
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.rolling_words import rolling_way
+from sim2reason.solutions.laws.rolling_words import rolling_direction_words
 from sim2reason.solutions.laws.stage import Stage
 from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.writing.notation import SPEED
@@ -49,18 +49,18 @@ class Course(Protocol):
         ...
 
 
-def tell_arcs(book: SolutionBuilder, stages: Sequence[Course], k: int) -> None:
+def write_stage_arcs(book: SolutionBuilder, stages: Sequence[Course], k: int) -> None:
     """Write the arcs through which a hinge turns the rim of its body in several stages, and their senses."""
     gains = [gain for stage in stages if (gain := stage.gain(k))]
     if len(gains) < 2:
         return
     step, dynamics = book.begin_step("verify"), stages[0].dynamics
     senses = [1.0 if book.value(gain.expression()) > 0.0 else -1.0 for gain in gains]
-    arcs = [f"${gain.scaled(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
+    arcs = [f"${gain.scale(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
     turns = ("further" if now == before else "back" for before, now in pairwise(senses))
     later = (f", then {direction} through {arc}" for direction, arc in zip(turns, arcs[1:], strict=True))
     who = dynamics.setting.display_name(dynamics.mechanism.coordinates[k].body)
-    direction = rolling_way(dynamics, k, senses[0])
+    direction = rolling_direction_words(dynamics, k, senses[0])
     step.add_text(
         f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {direction}{''.join(later)}."
     )
@@ -73,7 +73,7 @@ def tell_arcs(book: SolutionBuilder, stages: Sequence[Course], k: int) -> None:
 class StagePart(MotionPart):
     """One stage of a motion, with the laws that give its forces."""
 
-    way: StraightMotion
+    motion_model: StraightMotion
     stage: Course
     laws: Dynamics
 
@@ -89,7 +89,7 @@ class StagePart(MotionPart):
 
     def force(self, kind: str, name: str) -> Polynomial:
         """Return a tension, or the kinetic friction on a body with the sign that makes its work positive."""
-        m, names = self.way.mechanism, self.laws.names
+        m, names = self.motion_model.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]
             if isinstance(line.law, ConstantTension):
@@ -97,11 +97,11 @@ class StagePart(MotionPart):
             return names.get(f"T{m.constraints.index(line)}", NIL)
         face = next(number for number, candidate in enumerate(m.faces) if candidate.subject == name)
         side = self._newton.slip_directions.get(face, 0)
-        return (self._newton.coefficient(face) * names[f"N{face}"]).scaled(float(side)) if side else NIL
+        return (self._newton.coefficient(face) * names[f"N{face}"]).scale(float(side)) if side else NIL
 
-    def moved(self, body: str, line: str) -> Polynomial:
+    def displacement_along_line(self, body: str, line: str) -> Polynomial:
         """Return the displacement of a body along a line attached to it."""
-        own = self.stage.dynamics.sufficient_coordinates(self.way.moving([body]))
+        own = self.stage.dynamics.sufficient_coordinates(self.motion_model.moving([body]))
         parts: list[Polynomial] = []
         for k in own:
             along = self._newton.read(lambda m, f, k=k: _along(m, f, (body, line, k)))
@@ -110,19 +110,19 @@ class StagePart(MotionPart):
 
     def slipped(self, body: str) -> Polynomial:
         """Return the displacement of a body relative to the surface under it."""
-        face = next(n for n, candidate in enumerate(self.way.mechanism.faces) if candidate.subject == body)
+        face = next(n for n, candidate in enumerate(self.motion_model.mechanism.faces) if candidate.subject == body)
         return total(part * self.stage.gained(k) for k, part in self._newton.slip(face).items())
 
-    def drawn(self, line: str) -> Polynomial:
+    def drawn_length(self, line: str) -> Polynomial:
         """Return the decrease of a line's length."""
-        number = self.way.mechanism.lines.index(self.way.mechanism.line[line])
-        moving = self.way.stretching(line)
-        return total(self._newton.stretch(number, k) * self.stage.gained(k) for k in moving).scaled(-1.0)
+        number = self.motion_model.mechanism.lines.index(self.motion_model.mechanism.line[line])
+        moving = self.motion_model.stretching(line)
+        return total(self._newton.stretch(number, k) * self.stage.gained(k) for k in moving).scale(-1.0)
 
     def path(self, body: str) -> Expression:
         """Return the distance that a body travels along its line."""
         dynamics = self.stage.dynamics
-        own = [k for k in dynamics.sufficient_coordinates(self.way.moving([body])) if k not in dynamics.frozen]
+        own = [k for k in dynamics.sufficient_coordinates(self.motion_model.moving([body])) if k not in dynamics.frozen]
         if not own:
             return ZERO
         if len(own) != 1:
@@ -135,7 +135,7 @@ def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> fl
     body, line, k = of
     through = mechanism.line[line].through
     ends = through if mechanism.site[through[0]].body == body else through[::-1]
-    separation = minus(frames.site(ends[1]).place, frames.site(ends[0]).place)
+    separation = subtract_triples(frames.site(ends[1]).place, frames.site(ends[0]).place)
     size = float(dot(separation, separation)) ** 0.5
     return float(dot(separation, frames.center(body).gradient[k])) / size
 
@@ -156,9 +156,9 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
                 continue
             velocity = _size(stage, total(known))
             if stage.book.is_hidden(velocity):
-                stage.book.afterwards.append(partial(_tell, stage, face, velocity))
+                stage.book.afterwards.append(partial(_write_sliding, stage, face, velocity))
             else:
-                _tell(stage, face, velocity)
+                _write_sliding(stage, face, velocity)
 
 
 def _slowing(stage: Stage) -> list[int]:
@@ -185,8 +185,8 @@ def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
     """
     dynamics, parts = stage.dynamics, sliding_coordinates(stage.dynamics.mechanism, face)
     moving = [(k, 1.0) for k, _ in parts]
-    if len(moving) == 1 and moving[0][0] in dynamics.carried:
-        j, sign = dynamics.carried[moving[0][0]]
+    if len(moving) == 1 and moving[0][0] in dynamics.carrier_coordinates:
+        j, sign = dynamics.carrier_coordinates[moving[0][0]]
         moving.append((j, -sign))
     change = NIL
     for n, part in moving:
@@ -194,17 +194,17 @@ def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
         if not gain.names() <= stage.book.values.keys():
             return None
         begun = stage.speeds.get(n, NIL) if first else NIL
-        change = change + (begun + gain * Polynomial.of(stage.time)).scaled(part)
+        change = change + (begun + gain * Polynomial.from_expression(stage.time)).scale(part)
     return change if len(parts) == 1 else None
 
 
 def _size(stage: Stage, polynomial: Polynomial) -> Expression:
     """Return the magnitude of a polynomial as a formula: its negative if its value is negative."""
     formula = polynomial.collected((stage.time.name,))
-    return formula if stage.book.value(formula) >= 0.0 else polynomial.scaled(-1.0).collected((stage.time.name,))
+    return formula if stage.book.value(formula) >= 0.0 else polynomial.scale(-1.0).collected((stage.time.name,))
 
 
-def _tell(stage: Stage, face: int, velocity: Expression) -> None:
+def _write_sliding(stage: Stage, face: int, velocity: Expression) -> None:
     """Write that a body still slides at the end of a stage."""
     book, setting = stage.book, stage.setting
     body = stage.dynamics.mechanism.faces[face].subject

@@ -3,7 +3,7 @@
 from math import isinf
 
 from sim2reason.solutions.algebra.elimination import solve_linear
-from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiply_factors
 from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.laws.dynamics import Dynamics
@@ -27,24 +27,24 @@ def verify_sticking(dynamics: Dynamics) -> None:
         rows, _ = dynamics.laws([f"N{number}"])
         friction, normal = (force_from_one_law(dynamics, rows, f"{kind}{number}") for kind in "fN")
         if friction is not None and normal is not None:
-            _tell(dynamics, number, friction, normal)
+            _write_comparison(dynamics, number, friction, normal)
 
 
 def limit_of_friction(newton: Newton, face: int) -> Expression:
     """Return the greatest static friction µ_s N of a contact on which weights alone press."""
-    normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
-    return multiplied(newton.static_coefficient(face).expression(), normal.expression())
+    normal = newton.normal(face).forces.terms_without((f"N{face}",)).scale(-1.0)
+    return multiply_factors(newton.static_coefficient(face).expression(), normal.expression())
 
 
-def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
+def _write_comparison(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
     """Write that the friction needed to stick is at most the greatest static friction."""
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
-    most = multiplied(dynamics.newton.static_coefficient(number).expression(), normal)
+    most = multiply_factors(dynamics.newton.static_coefficient(number).expression(), normal)
     if book.in_symbols or book.value(friction) > FRICTION_LIMIT_RATIO * book.value(most):
         return
     if book.is_hidden(friction) or book.is_hidden(most):
-        book.afterwards.append(lambda: _tell(dynamics, number, friction, normal))
+        book.afterwards.append(lambda: _write_comparison(dynamics, number, friction, normal))
         return
     step = book.begin_step("verify")
     named = dynamics.names.get(f"f{number}", NIL).names() - book.values.keys()
@@ -75,14 +75,14 @@ def tell_slipping_on(newton: Newton, setting: ProblemContext, book: SolutionBuil
         step.add_text(f"By assumption {sentence}.")
     elif book.is_hidden(needed) or book.is_hidden(limit_of_friction(newton, face)):
         step.add_text(f"Assume that {sentence}.")
-        book.afterwards.append(lambda: tell_not_held(newton, setting, book, face, needed, ", so it slips, as assumed"))
+        book.afterwards.append(lambda: write_not_held(newton, setting, book, face, needed, ", so it slips, as assumed"))
     else:
-        tell_not_held(newton, setting, book, face, needed)
+        write_not_held(newton, setting, book, face, needed)
         step.add_text(f"So {sentence}.")
     step.close()
 
 
-def tell_not_held(
+def write_not_held(
     newton: Newton, setting: ProblemContext, book: SolutionBuilder, face: int, needed: Expression, therefore: str = ""
 ) -> None:
     """Write that the friction needed to stay at rest or to roll exceeds the greatest static friction."""
@@ -109,9 +109,13 @@ def _needed_words(
         return f"To stay at rest, {who} would need the friction {equations[0]}, more than {equations[1]}"
     (k,) = [j for j in newton.slip(face) if setting.mechanism.coordinates[j].kind == "hinge"]
     heavy = newton.mass(subject) + newton.turning(k, k)
-    load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
+    load = (
+        newton.mass(subject)
+        * newton.gravity
+        * newton.along(subject, _slip_coordinate(setting, subject), (0.0, 0.0, -1.0))
+    )
     pull, name = reduced_quotient(load, heavy), book.fresh("a", r"\text{roll}")
-    x, y, z = setting.mechanism.coordinates[_way(setting, subject)].axis
+    x, y, z = setting.mechanism.coordinates[_slip_coordinate(setting, subject)].axis
     sign = 1.0 if book.value(pull) >= 0.0 else -1.0
     direction = setting.direction_words((sign * x, sign * y, sign * z))
     rolls = f"{step.verified(name, pull if sign > 0.0 else -pull, ACCELERATION)} {direction}"
@@ -123,7 +127,7 @@ def _needed_words(
     return f"{clause}. This takes the friction {equations[0]}, more than {equations[1]}"
 
 
-def _way(setting: ProblemContext, body: str) -> int:
+def _slip_coordinate(setting: ProblemContext, body: str) -> int:
     """Return the coordinate along which a body slides."""
     m = setting.mechanism
     return next(m.number[c.name] for c in m.body[body].coordinates if c.kind == "slide")

@@ -7,7 +7,7 @@ from collections.abc import Set as AbstractSet
 from sim2reason.base.records import cached_property
 from sim2reason.questions import Target
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
-from sim2reason.scenes.dsl.vectors import Vector, dot, minus
+from sim2reason.scenes.dsl.vectors import Vector, dot, subtract_triples
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import AXES, GOALS, CollisionTerm, Components, Goal, MotionPart
@@ -62,7 +62,7 @@ class StraightMotion(ABC):
         ways = (self._start.center(body).gradient.items() for body in bodies)
         return sorted({k for entries in ways for k, direction in entries if dot(direction, direction) > COMPONENT_ATOL})
 
-    def own(self, body: str) -> list[int]:
+    def body_coordinates(self, body: str) -> list[int]:
         """Return the coordinates whose rates add up to a body's motion; by default all that move it."""
         return self.moving([body])
 
@@ -108,7 +108,7 @@ class StraightMotion(ABC):
         if kind == "u":
             moving = [k for k in self.moving([body]) if k in self.first_speeds]
             return self.projected(body, way, {k: self.first_speeds[k] for k in moving})
-        along = [k for k in self.own(body) if self._matters(body, k, way)]
+        along = [k for k in self.body_coordinates(body) if self._matters(body, k, way)]
         return self.projected(body, way, {k: self.rate(kind, k) for k in along})
 
     def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
@@ -122,7 +122,7 @@ class StraightMotion(ABC):
             if abs(along) < COMPONENT_ATOL:
                 continue
             if abs(abs(along) - 1.0) < COMPONENT_ATOL:
-                factor = Polynomial.of(1.0 if along > 0.0 else -1.0)
+                factor = Polynomial.from_expression(1.0 if along > 0.0 else -1.0)
             elif way in WORLD_AXES:
                 factor = self.newton.along(body, k, (way[0], way[1], way[2]))
             else:
@@ -140,15 +140,15 @@ class StraightMotion(ABC):
         x, y, z = (self.component(kind, body, direction) for direction in WORLD_AXES)
         return x, y, z
 
-    def lone(self, kind: str, body: str) -> Polynomial | None:
+    def line_component(self, kind: str, body: str) -> Polynomial | None:
         """Return a vector's component along a body's only line, signed like the coordinate; None for several lines."""
-        own = self.moving([body]) if kind == "u" else self.own(body)
+        own = self.moving([body]) if kind == "u" else self.body_coordinates(body)
         ways = [self._start.center(body).gradient[k] for k in own]
         senses = [dot(direction, ways[-1]) for direction in ways]
         if not own or any(abs(abs(sense) - 1.0) > COMPONENT_ATOL for sense in senses):
             return None
         rates = [self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k) for k in own]
-        return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
+        return total(rate.scale(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
         """Return the two coordinates of a free body along its own axes x and y; an empty list for other bodies."""
@@ -156,11 +156,12 @@ class StraightMotion(ABC):
         free = self.mechanism.body[body].parent is None and len(slides) == 2
         return [self.mechanism.number[c.name] for c in slides] if free else []
 
-    def apart(self, one: str, other: str) -> Components:
+    def initial_separation(self, one: str, other: str) -> Components:
         """Return the initial vector from the centre of one body to that of another."""
         lexicon = self.setting.lexicon
         places = [
-            minus(f.center(other).place, f.center(one).place) for f in (self._start, initial_frames(lexicon.twin))
+            subtract_triples(f.center(other).place, f.center(one).place)
+            for f in (self._start, initial_frames(lexicon.twin))
         ]
         own, ways = self._own(other), list[tuple[Vector, Vector]]()
         for n in range(3):
@@ -194,7 +195,7 @@ class StraightMotion(ABC):
             raise UnsolvedError(f"{body} does not turn")
         return self.newton.turning(k, k)
 
-    def tell_arcs(self, body: str) -> None:
+    def write_arcs(self, body: str) -> None:
         """Write the arcs of a rotating body's rim; by default there is one, which needs no name."""
         del body
 
@@ -212,7 +213,7 @@ class StraightMotion(ABC):
         raise UnsolvedError(f"no {kind} of {line}")
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return the parts of the motion; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a motion")
 

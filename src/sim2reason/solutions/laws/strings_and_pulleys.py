@@ -36,7 +36,7 @@ def balanced_tensions(
         before = zero.coefficient(name).number
         if not before:
             raise UnsolvedError("a light pulley balances at a ratio that changes")
-        tensions[name] = zero.without((name,)).scaled(-1.0 / before)
+        tensions[name] = zero.terms_without((name,)).scale(-1.0 / before)
         labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
         labels |= {n: labels[n] | labels[name] for n, tension in tensions.items() if name in tension.names()}
         tensions = {n: p.substitute({name: tensions[name]}) for n, p in tensions.items()}
@@ -109,7 +109,7 @@ def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
     book = dynamics.book
     if dynamics.taut and not dynamics.measure.values and not book.in_symbols:
         phase = book.phase
-        book.checks.setdefault(dynamics, lambda: _tell(dynamics, rows, phase))
+        book.checks.setdefault(dynamics, lambda: _write_taut_check(dynamics, rows, phase))
 
 
 def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> list[Step]:
@@ -123,7 +123,7 @@ def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> li
     return ordered
 
 
-def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
+def _write_taut_check(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
     """Write the check that strings stay taut."""
     book, rows = dynamics.book, _with_weights(dynamics, rows)
     now, book.phase = book.phase, phase
@@ -168,7 +168,7 @@ def _positive(
     symbol = (
         Symbol(own) if f"T{index}" in symbols else book.fresh("T", "".join(map(dynamics.setting.subscript_of, bodies)))
     )
-    symbols[f"T{index}"] = Polynomial.of(symbol)
+    symbols[f"T{index}"] = Polynomial.from_expression(symbol)
     equation = step.verified(symbol, formula, NEWTONS)
     if book.observed[symbol.name] <= 0.0:
         step.relations.pop()
@@ -207,5 +207,5 @@ def _with_weights(dynamics: Dynamics, rows: Sequence[Row]) -> list[Row]:
     for row in rows:
         name = f"N{row.number}"
         if row.kind == "normal" and not row.inertia.substitute(dynamics.names):
-            pressed[name] = row.forces.without((name,)).scaled(-1.0)
+            pressed[name] = row.forces.terms_without((name,)).scale(-1.0)
     return [Row(r.kind, r.number, r.forces.substitute(pressed), r.inertia) for r in rows if r.kind != "normal"]

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.elimination import Elimination, Equation, solve_linear
-from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiply_factors
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divide_by_term, total
 from sim2reason.solutions.laws.directions import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.dynamics import Dynamics, SharedRate
@@ -26,7 +26,7 @@ from sim2reason.solutions.writing.notation import NEWTONS
 from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 
 
-def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
+def write_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
     """Write that no force acts along coordinates whose accelerations are among the goals."""
     step = dynamics.book.begin_step("unforced")
     for k in sorted(dynamics.unforced - dynamics.frozen):
@@ -43,7 +43,7 @@ class WrittenDynamics(Dynamics):
     def reach(self, goals: Sequence[str]) -> None:
         """Write the derivation of unknowns, such as ``q3`` or ``T1``; their symbols in `names` have values then."""
         still = self.frozen | self.unforced
-        tell_unforced(self, goals)
+        write_unforced(self, goals)
         goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in still)]
         self.names |= {f"q{k}": NIL for k in still}
         if not goals:
@@ -89,11 +89,11 @@ class DynamicsWriter:
         groups = self.d.groups
         known = self.d.bound | self.pressed
         rows = [self._equation(group, labelled=len(groups) > 1) for group in groups]
-        self._tell(groups, rows)
+        self._write_laws(groups, rows)
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
         balanced, labels = balanced_tensions(light, known, self.d.units.keys(), self.goals)
         known |= balanced
-        heavy = [e.substitute(known).substitute(known).by(labels) for e in rows if e not in light]
+        heavy = [e.substitute(known).substitute(known).linked_to(labels) for e in rows if e not in light]
         all_of_them = heavy + equations + [replace(e, moves=NIL) for e in light]
         unknowns = sorted({n for e in all_of_them for n in e.zero.names()} & self.d.units.keys())
         Elimination(self.d.book, self.d.units, self._labels).solve(all_of_them, unknowns, self.goals)
@@ -155,7 +155,7 @@ class DynamicsWriter:
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
             direction = self.d.moving(k, sense)
-            if parent is not None and self._moves(parent) and k not in self.d.carried:
+            if parent is not None and self._moves(parent) and k not in self.d.carrier_coordinates:
                 direction += f" relative to {self.d.setting.display_name(parent)}"
             ways.setdefault(direction, []).append(coordinate.body)
         phrases = [f"of {self.d.setting.bodies_phrase(bodies)} {direction}" for direction, bodies in ways.items()]
@@ -182,7 +182,7 @@ class DynamicsWriter:
             rest = solve_linear(zero, name)
             before = zero.coefficient(name).number
             assert before is not None
-            self.d.bound[name] = zero.without((name,)).scaled(-1.0 / before)
+            self.d.bound[name] = zero.terms_without((name,)).scale(-1.0 / before)
             self.d.bound = {n: p.substitute({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
             line, more = self._line(f"T{row.number}"), f"{not_slipping(self.d, row)}{doubling_reason(self.d, row)}"
             step.add_text(f"{capitalized(line)} does not stretch{more}: {step.law(Symbol(name), rest)}.")
@@ -208,7 +208,7 @@ class DynamicsWriter:
                 continue
             name = f"N{row.number}"
             symbol = _name_of(self.names[name])
-            pressed = (row.inertia - row.forces.without((name,))).substitute(self.names)
+            pressed = (row.inertia - row.forces.terms_without((name,))).substitute(self.names)
             round_one = (
                 self.d.newton.slip_directions.get(row.number)
                 and self.d.newton.single_slip_coordinate(row.number) is None
@@ -224,7 +224,7 @@ class DynamicsWriter:
             name, formula = Symbol(symbol), pressed.expression()
             law_text = step.result(name, formula, NEWTONS, law=True) if alone else step.law(name, formula)
             step.add_text(f"Perpendicular to the surface, {body}: {law_text}.")
-            equations += [] if alone else [Equation("", Polynomial.of(name), pressed, NIL)]
+            equations += [] if alone else [Equation("", Polynomial.from_expression(name), pressed, NIL)]
         step.close()
         return equations
 
@@ -233,9 +233,9 @@ class DynamicsWriter:
     def _row(self, group: Sequence[Row]) -> Row:
         """Return the sum of Newton's laws of a group of bodies, in the text's symbols, along its motion."""
         sense = float(self.d.sense.get(group[0].number, 1))
-        row = self.d.added(group)
+        row = self.d.sum_laws(group)
         forces, inertia = (
-            part.substitute(self.names).substitute(self.inline).scaled(sense) for part in (row.forces, row.inertia)
+            part.substitute(self.names).substitute(self.inline).scale(sense) for part in (row.forces, row.inertia)
         )
         return Row("newton", group[0].number, forces, inertia)
 
@@ -244,13 +244,13 @@ class DynamicsWriter:
         row = self._row(group)
         k = group[0].number
         moves = self.names.get(f"q{k}", NIL)
-        if k in self.d.carried:  # the common acceleration is in the law of its carrier
-            j, sign = self.d.carried[k]
-            moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
-        moves = moves.scaled(float(self.d.sense.get(k, 1)))
+        if k in self.d.carrier_coordinates:  # the common acceleration is in the law of its carrier
+            j, sign = self.d.carrier_coordinates[k]
+            moves = moves - self.names.get(f"q{j}", NIL).scale(sign)
+        moves = moves.scale(float(self.d.sense.get(k, 1)))
         return Equation(self.d.book.labels.next() if labelled else "", row.forces, row.inertia, moves)
 
-    def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
+    def _write_laws(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
         """Write Newton's laws of all groups of bodies."""
         step = self._open("newton")
         for group, equation in zip(groups, equations, strict=True):
@@ -273,14 +273,14 @@ class DynamicsWriter:
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
         """Return mass times acceleration, with the masses collected if all have the same acceleration."""
-        own = [row.inertia.substitute(self.names).scaled(float(self.d.sense.get(row.number, 1))) for row in group]
+        own = [row.inertia.substitute(self.names).scale(float(self.d.sense.get(row.number, 1))) for row in group]
         masses = [part.coefficient(n) for part in own for n in sorted(equation.moves.names()) if part]
         accelerations = sorted(equation.inertia.names() & self.d.units.keys())
         if masses and len(masses) == len(own) and len(masses[0].terms) == 1 and len(accelerations) > 1:
             (monomial, part), *_ = masses[0].terms.items()
             acceleration = divide_by_term(own[0], monomial, part)
             if acceleration is not None and not (total(masses) * acceleration - equation.inertia):
-                return multiplied(total(masses).expression(), acceleration.expression())
+                return multiply_factors(total(masses).expression(), acceleration.expression())
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import chain
 
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.grading.tokens import canonical
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
@@ -24,17 +24,17 @@ from sim2reason.solutions.multipart.names import (
 )
 from sim2reason.solutions.multipart.quoting import DEFINED, cited_labels, quote_earlier_parts, without_unused
 from sim2reason.solutions.multipart.recall import (
-    EARLIER,
-    kept_steps,
+    RECALLED_STEP_KIND,
     recall_results,
     recallable_names,
     reduce_givens,
-    renumbered,
+    renumber_steps,
+    steps_to_goal,
 )
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.verification import verify_solution
-from sim2reason.solutions.writing.notation import numbered, split_name
+from sim2reason.solutions.writing.notation import numbered_names, split_name
 
 
 def naming_fault(parts: Sequence[Solution]) -> str:
@@ -48,13 +48,22 @@ def naming_fault(parts: Sequence[Solution]) -> str:
 
 def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
     """Yield an error message for each result that a part recalls from a part without this result or value."""
-    for label, part in zip(LABELS, parts, strict=False):
+    for label, part in zip(PART_LABELS, parts, strict=False):
         for step in part.steps:
-            if step.kind != EARLIER:
+            if step.kind != RECALLED_STEP_KIND:
                 continue
             source = step.text.removeprefix("From part (").partition(")")[0]
-            other = parts[LABELS.index(source)] if source and source in LABELS[: LABELS.index(label)] else None
-            found = {name for held in (other.steps if other else ()) if held.kind != EARLIER for name in held.gives}
+            other = (
+                parts[PART_LABELS.index(source)]
+                if source and source in PART_LABELS[: PART_LABELS.index(label)]
+                else None
+            )
+            found = {
+                name
+                for held in (other.steps if other else ())
+                if held.kind != RECALLED_STEP_KIND
+                for name in held.gives
+            }
             for name in step.gives:
                 if other is None or name not in found | {other.goal}:
                     yield f"part ({label}) takes {name} from part ({source}), which has no {name}"
@@ -65,7 +74,7 @@ def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
 def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
     """Yield a message for each name that has different meanings in two parts."""
     known: dict[str, tuple[str, Solution, str]] = {}
-    for label, part in zip(LABELS, parts, strict=False):
+    for label, part in zip(PART_LABELS, parts, strict=False):
         if part.answer is None:
             continue
         words = meanings(part)
@@ -82,7 +91,7 @@ def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
 def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
     """Yield a message for each quantity to which two parts give different names."""
     known: dict[tuple[str, str, str], tuple[str, set[str]]] = {}
-    for label, part in zip(LABELS, parts, strict=False):
+    for label, part in zip(PART_LABELS, parts, strict=False):
         own: dict[tuple[str, str, str], set[str]] = {}
         for name, words in meanings(part).items():
             if name in part.values:
@@ -127,7 +136,7 @@ class _Naming:
         goals = [solution.goal for solution in solutions]
         for part, solution in enumerate(solutions):
             earlier = [q for q in found if any(q.members.get(n) == goals[n] for n in range(part))]
-            steps = kept_steps(solution, {q.members[part] for q in earlier if part in q.members})
+            steps = steps_to_goal(solution, {q.members[part] for q in earlier if part in q.members})
             self._used.append(frozenset([*names_of(steps), solution.goal, *solution.stated]))
             self._spoken.append(names_in_text(" ".join(step.text for step in steps)))
 
@@ -143,7 +152,7 @@ class _Naming:
         own = [*dict.fromkeys(quantity.members.values())]
         free = [name for name in own if self._is_free(name, quantity)]
         best = [name for name in free if len(own) == 1 or not self._is_needed(name, quantity)]
-        name = next(chain(best, free, (n for n in numbered(own[0]) if self._is_free(n, quantity))))
+        name = next(chain(best, free, (n for n in numbered_names(own[0]) if self._is_free(n, quantity))))
         self._taken.add(canonical(name))
         return name
 
@@ -184,7 +193,7 @@ def shortened_variants(solution: Solution, earlier: Sequence[tuple[str, Solution
 
 
 def _count(solution: Solution, known: Collection[str]) -> int:
-    return sum(bool(step.gives) for step in kept_steps(solution, known) if step.kind not in LAWS)
+    return sum(bool(step.gives) for step in steps_to_goal(solution, known) if step.kind not in LAWS)
 
 
 def _direct(solution: Solution, index: int, known: Collection[str]) -> Solution | None:
@@ -247,7 +256,7 @@ def sequential_solutions(
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     rewritten, earlier = list[Solution](), list[tuple[str, Solution]]()
-    for label, alone, setting in zip(LABELS, unify_names(solutions, fixed), settings, strict=False):
+    for label, alone, setting in zip(PART_LABELS, unify_names(solutions, fixed), settings, strict=False):
         reduced = _without_repeated_checks(alone, earlier) if whole else alone
         solution = recall_results(reduced, earlier, whole=whole)
         known = results_of(rewritten, whole=whole)
@@ -272,7 +281,8 @@ def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, So
         return solution
     symbols = {name for step in kept if step.kind != "givens" for name in step.symbols()} | {solution.goal}
     return replace(
-        solution, steps=renumbered([reduce_givens(step, symbols) if step.kind == "givens" else step for step in kept])
+        solution,
+        steps=renumber_steps([reduce_givens(step, symbols) if step.kind == "givens" else step for step in kept]),
     )
 
 

@@ -4,15 +4,15 @@ import re
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.solutions.multipart.names import LABEL, introduced_names, names_in_text, names_of
-from sim2reason.solutions.multipart.recall import EARLIER, reduce_givens, renumbered, with_bases
+from sim2reason.solutions.multipart.recall import RECALLED_STEP_KIND, reduce_givens, renumber_steps, with_bases
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # a heading may contain formulas
 _INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
-SO = "So "  # opening of a result that follows from the last equations
+CONSEQUENCE_OPENING = "So "  # opening of a result that follows from the last equations
 AS_IN_PART = "As in part ({}), "  # opening of a result whose equations an earlier part has solved
 SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
@@ -25,11 +25,11 @@ def quote_earlier_parts(parts: Sequence[Solution]) -> list[Solution]:
     states is not stated again.
     """
     stated_parts = _StatedParts()
-    rewritten = [stated_parts.add_part(label, part) for label, part in zip(LABELS, parts, strict=False)]
+    rewritten = [stated_parts.add_part(label, part) for label, part in zip(PART_LABELS, parts, strict=False)]
     texts = "\n".join(step.text for part in rewritten for step in part.steps)
     labels = dict.fromkeys(label for label, _ in DEFINED.findall(texts))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
-    return [replace(part, steps=tuple(labelled(step, names) for step in part.steps)) for part in rewritten]
+    return [replace(part, steps=tuple(relabel(step, names) for step in part.steps)) for part in rewritten]
 
 
 class _StatedParts:
@@ -44,7 +44,7 @@ class _StatedParts:
     def add_part(self, label: str, part: Solution) -> Solution:
         """Return a part without sentences of earlier parts, and add its own sentences to the record."""
         names = self._relabelled(label, part.steps)
-        steps = [labelled(step, names) for step in part.steps]
+        steps = [relabel(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
         used = with_bases(names_of(kept), part)
@@ -55,7 +55,7 @@ class _StatedParts:
             }
             for relation in step.relations:
                 self._parts.setdefault(relation.latex(), label)
-        return replace(part, steps=renumbered(kept))
+        return replace(part, steps=renumber_steps(kept))
 
     def _relabelled(self, part: str, steps: Sequence[Step]) -> dict[str, str]:
         """Return new labels by old ones: the known label of an equation stated before, else the next number."""
@@ -79,15 +79,15 @@ class _StatedParts:
         rest = [step for step in left if step.kind != "givens"]
         used = names_in_text(" ".join(step.text for step in (*quoted, *rest)))
         given = [reduce_givens(step, used) for step in left if step.kind == "givens"]
-        recalled = [step for step in rest if step.kind == EARLIER]
-        return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
+        recalled = [step for step in rest if step.kind == RECALLED_STEP_KIND]
+        return [*given, *recalled, *quoted, *(step for step in rest if step.kind != RECALLED_STEP_KIND and step.text)]
 
     def _solved_again(self, step: Step) -> Step:
         """Add *As in part (a)* to a step that solves the same equation as an earlier part; other steps unchanged."""
         first = self._parts.get(step.relations[0].latex()) if step.relations else None
-        if first is None or not step.text.startswith(SO):
+        if first is None or not step.text.startswith(CONSEQUENCE_OPENING):
             return step
-        return replace(step, text=f"{AS_IN_PART.format(first)}{step.text.removeprefix(SO)}")
+        return replace(step, text=f"{AS_IN_PART.format(first)}{step.text.removeprefix(CONSEQUENCE_OPENING)}")
 
     def _integrated(self, part: str, step: Step) -> Step:
         """Reduce the text of an integration to its results if an earlier part has integrated the same equations."""
@@ -99,7 +99,7 @@ class _StatedParts:
     def _is_said(self, step: Step, values: Container[str]) -> bool:
         """Return whether a step without results repeats the text of an earlier part."""
         results = any(name in values for name in step.gives)
-        return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
+        return not results and step.kind not in ("givens", RECALLED_STEP_KIND) and step.text in self._sentences
 
     def _shorter(self, step: Step, used: set[str]) -> Step:
         """Return a step without repeated sentences and without equations that no step cites."""
@@ -118,7 +118,11 @@ class _StatedParts:
 
     def _new(self, sentence: str) -> str:
         """Return a sentence without introductions of symbols that earlier parts contain; empty if nothing is left."""
-        return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
+        return (
+            ""
+            if sentence in self._sentences
+            else shorten_symbol_list(sentence, lambda item: item not in self._sentences)
+        )
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
         """Yield, for each earlier part whose equations the steps `left` use, a step that cites these equations."""
@@ -139,7 +143,7 @@ class _StatedParts:
                 yield Step(-1, "equations", _citation_text(part, own, plain), relations, tuple(own), ())
 
 
-def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
+def shorten_symbol_list(sentence: str, kept: Callable[[str], bool]) -> str:
     """Return a sentence with a list of introduced symbols, reduced to the `kept` items; empty if no item is kept."""
     match = _LIST.fullmatch(sentence)
     if match is None:
@@ -158,7 +162,7 @@ def _citation_text(part: str, labels: Sequence[str], plain: Sequence[Relation]) 
     return f"As in part ({part}), {join_words(cited)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
 
 
-def labelled(step: Step, names: Mapping[str, str]) -> Step:
+def relabel(step: Step, names: Mapping[str, str]) -> Step:
     """Return a step with new equation labels, in its text and among its results."""
     parts = step.text.split("$")
     parts[::2] = [LABEL.sub(lambda match: names.get(match[0], match[0]), part) for part in parts[::2]]
@@ -192,7 +196,7 @@ def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> 
 
     A solution that recalls no earlier result is returned unchanged.
     """
-    if not any(step.kind == EARLIER for step in solution.steps):
+    if not any(step.kind == RECALLED_STEP_KIND for step in solution.steps):
         return solution
     steps = solution.steps
     while (shorter := _shorter(steps, lambda trial: accepted(replace(solution, steps=trial)))) != steps:
@@ -241,7 +245,7 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
     left = [_in_use(step, used) for step in left]
     labels = dict.fromkeys(label for step in left for label, _ in DEFINED.findall(step.text))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
-    return renumbered([labelled(step, names) for step in left if step.text])
+    return renumber_steps([relabel(step, names) for step in left if step.text])
 
 
 def _in_use(step: Step, used: frozenset[str]) -> Step:
@@ -251,6 +255,7 @@ def _in_use(step: Step, used: frozenset[str]) -> Step:
     if step.kind != "names":
         return step
     sentences = (
-        shortened(each, lambda item: not used.isdisjoint(introduced_names(item))) for each in SENTENCE.split(step.text)
+        shorten_symbol_list(each, lambda item: not used.isdisjoint(introduced_names(item)))
+        for each in SENTENCE.split(step.text)
     )
     return replace(step, text=" ".join(sentence for sentence in sentences if sentence))

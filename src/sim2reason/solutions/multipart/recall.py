@@ -10,8 +10,8 @@ from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 from sim2reason.solutions.writing.arrangement import ORDER, SINGULAR
 
-EARLIER = "earlier part"
-SPOKEN = "verify", "extreme", "meaning"  # kinds of steps that give no name, but a reason for one
+RECALLED_STEP_KIND = "earlier part"
+REASON_STEP_KINDS = "verify", "extreme", "meaning"  # kinds of steps that give no name, but a reason for one
 _ONE = {f"{several} are ": f"{one} is " for several, one in SINGULAR.items()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
@@ -24,7 +24,7 @@ def recall_results(solution: Solution, earlier: Sequence[tuple[str, Solution]], 
     """
     known = recallable_names(solution, earlier, whole=whole)
     known_texts = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
-    steps = (step for step in kept_steps(solution, known, known_texts) if step.kind != "givens")
+    steps = (step for step in steps_to_goal(solution, known, known_texts) if step.kind != "givens")
     kept = [_without(step, known, solution.goal) for step in steps]
     used = {*names_of(kept), *names_in_text(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
@@ -36,7 +36,7 @@ def recall_results(solution: Solution, earlier: Sequence[tuple[str, Solution]], 
     first = [reduce_givens(step, symbols) for step in solution.steps if step.kind == "givens"]
     recalled_steps = _recalled({name: known[name] for name in known if name in recalled}, solution)
     recalled_steps = recalled_steps or _verified_earlier(solution, earlier)
-    return replace(solution, steps=renumbered([*first, *recalled_steps, *kept]))
+    return replace(solution, steps=renumber_steps([*first, *recalled_steps, *kept]))
 
 
 def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
@@ -58,7 +58,7 @@ def recallable_names(solution: Solution, earlier: Sequence[tuple[str, Solution]]
     return known
 
 
-def kept_steps(solution: Solution, known: Collection[str], known_texts: Container[str] = ()) -> list[Step]:
+def steps_to_goal(solution: Solution, known: Collection[str], known_texts: Container[str] = ()) -> list[Step]:
     """Return the steps from known names to the goal, and the verifications whose texts are not in `known_texts`.
 
     All steps are returned if none can be left out.
@@ -74,14 +74,16 @@ def _results(steps: Collection[Step]) -> int:
     return sum(bool(step.gives) for step in steps)
 
 
-def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
+def renumber_steps(steps: Sequence[Step]) -> tuple[Step, ...]:
     """Return steps with new numbers, and with needs among the remaining steps and recalled results."""
     number_by_id = {step.id: number for number, step in enumerate(steps) if step.id >= 0}
-    recalled = {name: number for number, step in enumerate(steps) if step.kind == EARLIER for name in step.gives}
+    recalled = {
+        name: number for number, step in enumerate(steps) if step.kind == RECALLED_STEP_KIND for name in step.gives
+    }
     updated: list[Step] = []
     for number, step in enumerate(steps):
         needs = {number_by_id[need] for need in step.needs if need in number_by_id}
-        needs |= {recalled[name] for name in step.symbols() if name in recalled and step.kind != EARLIER}
+        needs |= {recalled[name] for name in step.symbols() if name in recalled and step.kind != RECALLED_STEP_KIND}
         updated.append(replace(step, id=number, needs=tuple(sorted(needs))))
     return tuple(updated)
 
@@ -97,7 +99,7 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
     if other.answer is None or name not in other.values:
         return False
     is_result = other.goal == name or (
-        whole and any(name in step.gives and step.kind != EARLIER for step in other.steps)
+        whole and any(name in step.gives and step.kind != RECALLED_STEP_KIND for step in other.steps)
     )
     value = solution.values[name]
     same = abs(value - other.values[name]) <= VALUE_RTOL * abs(value) and unit_of(name, other) == unit_of(
@@ -182,7 +184,7 @@ def _reasons(
 
 def _is_reason(step: Step) -> bool:
     """Return whether a step only verifies an assumption or gives the reason for an extreme value."""
-    return step.kind in SPOKEN or (bool(step.relations) and all(r.role in CHECKS for r in step.relations))
+    return step.kind in REASON_STEP_KINDS or (bool(step.relations) and all(r.role in CHECKS for r in step.relations))
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
@@ -219,6 +221,13 @@ def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
             for n, r in zip(names, relations, strict=True)
         ]
         steps.append(
-            Step(-1, EARLIER, f"From part ({label}), {join_words(equations)}.", tuple(relations), tuple(names), ())
+            Step(
+                -1,
+                RECALLED_STEP_KIND,
+                f"From part ({label}), {join_words(equations)}.",
+                tuple(relations),
+                tuple(names),
+                (),
+            )
         )
     return steps

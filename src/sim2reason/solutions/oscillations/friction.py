@@ -109,7 +109,7 @@ def swing_words(model: LinearMotionModel, oscillation: HarmonicOscillation, numb
     who, acts = model.mover_phrase(motion.free[0]), friction_words(model, motion)
     half = "half an oscillation, symmetric about the point at which the net force is zero"
     if number:
-        begun = model.first(motion.free[0]) and number == 1
+        begun = model.initial_rate(motion.free[0]) and number == 1
         counted = f"let ${oscillation.name.name}$ be the displacement {model.towards(motion.free[0])} from here"
         return [
             f"Until it next comes to rest, friction acts {acts}; {counted}.",
@@ -136,7 +136,7 @@ class StaticFrictionChecks:
 
     def __init__(self, way: LinearMotionModel) -> None:
         """Take the motion model of an answer, into whose builder comparisons are written."""
-        self._way, self._setting, self._book = way, way.setting, way.book
+        self._model, self._setting, self._book = way, way.setting, way.book
         self._most = ""  # symbol of the greatest static friction on the moving body, once it is written
 
     # ---- of what moves
@@ -152,26 +152,30 @@ class StaticFrictionChecks:
 
     def write_stays(self, motion: LinearMotion, number: int) -> None:
         """Write that static friction holds the body at the turning point with this number."""
-        phrases = "is less than", f"so {self._way.mover_phrase(motion.free[0])} stays at rest"
+        phrases = "is less than", f"so {self._model.mover_phrase(motion.free[0])} stays at rest"
         self._compare(motion, number, "here", phrases, moves=False)
 
-    def hidden(self, motion: LinearMotion) -> bool:
+    def is_force_hidden(self, motion: LinearMotion) -> bool:
         """Return whether the net force without friction, or the greatest static friction, depends on the unknown."""
         return any(
             map(self._book.is_hidden, (without_friction(motion), motion.greatest_friction(motion.free[0]).factored()))
         )
 
     def _compare(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> bool:
-        if self.hidden(motion):
+        if self.is_force_hidden(motion):
             if not self._book.in_symbols:
                 location = f"at ${motion.begin.expression().latex()}$" if number else where
                 later = said[0], said[1] if not moves else "as was assumed"
-                self._book.afterwards.append(lambda: self._tell(motion, number, location, later, moves=moves))
+                self._book.afterwards.append(
+                    lambda: self._write_comparison(motion, number, location, later, moves=moves)
+                )
             return False
-        self._tell(motion, number, where, said, moves=moves)
+        self._write_comparison(motion, number, where, said, moves=moves)
         return True
 
-    def _tell(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> None:
+    def _write_comparison(
+        self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool
+    ) -> None:
         book, (i,) = self._book, motion.free
         friction = motion.friction(i)
         pull, most = without_friction(motion), self._size(motion.greatest_friction(i))
@@ -196,18 +200,18 @@ class StaticFrictionChecks:
             limit = f"the greatest static friction {step.verified(greatest, most, NEWTONS)}"
         if moves:
             record_inequality(book, step, pull, most)
-        towards, (than, so) = self._way.towards(i, forward=forward), said
+        towards, (than, so) = self._model.towards(i, forward=forward), said
         step.add_text(f"The {what} {where} is {equation} {towards}; it {than} {limit}, {so}.")
         step.close()
 
     def _size(self, held: Polynomial) -> Expression:
         formula = held.factored()
-        return formula if self._book.value(formula) >= 0.0 else held.scaled(-1.0).factored()
+        return formula if self._book.value(formula) >= 0.0 else held.scale(-1.0).factored()
 
     # ---- of what does not
 
     @staticmethod
-    def resting(motion: LinearMotion) -> list[tuple[int, int]]:
+    def resting_faces(motion: LinearMotion) -> list[tuple[int, int]]:
         """Return the faces on which bodies do not move, each with the coordinate of its body."""
         sticks = (
             (face, motion.laws.single_slip_coordinate(face))
@@ -222,12 +226,12 @@ class StaticFrictionChecks:
         The free coordinate has turned back at the `places`, m, and turns back next at the value `later`; springs pull
         hardest at turning points.
         """
-        for face, own in self.resting(motion):
+        for face, own in self.resting_faces(motion):
             needed = [
-                self._holding(motion, face, own, Polynomial.of(position) if position != ZERO else NIL)
+                self._holding(motion, face, own, Polynomial.from_expression(position) if position != ZERO else NIL)
                 for position in places
             ]
-            beyond = self._holding(motion, face, own, Polynomial.of(later))
+            beyond = self._holding(motion, face, own, Polynomial.from_expression(later))
             if beyond is not None:
                 self._rests(motion, face, [force for force in needed if force is not None], self._size(beyond))
 
@@ -243,11 +247,11 @@ class StaticFrictionChecks:
             return
         if hidden:
             if not book.in_symbols:
-                book.afterwards.append(lambda: self._tell_resting(motion, face, greatest, most))
+                book.afterwards.append(lambda: self._write_resting(motion, face, greatest, most))
             return
-        self._tell_resting(motion, face, greatest, most)
+        self._write_resting(motion, face, greatest, most)
 
-    def _tell_resting(self, motion: LinearMotion, face: int, greatest: Expression, most: Expression) -> None:
+    def _write_resting(self, motion: LinearMotion, face: int, greatest: Expression, most: Expression) -> None:
         book = self._book
         if book.value(greatest) > FRICTION_LIMIT_FACTOR * book.value(most):
             raise UnsolvedError("friction could not hold what rests")
@@ -267,9 +271,9 @@ class StaticFrictionChecks:
         row = laws.newton(own)
         known = {f"q{k}": NIL for k in motion.ratios}
         for n in motion.springs:
-            extension = laws.strain(n) + place.scaled(motion.extension_ratio(n, i))
+            extension = laws.strain(n) + place.scale(motion.extension_ratio(n, i))
             known[f"S{n}"] = laws.stiffness(n) * extension
         zero, name = row.zero.substitute(known), f"f{face}"
         others = {other for other in zero.names() - {name} if other[0] in "TNS" and other[1:].isdigit()}
         part = zero.coefficient(name).number
-        return None if others or not part else zero.without((name,)).scaled(-1.0 / part)
+        return None if others or not part else zero.terms_without((name,)).scale(-1.0 / part)

@@ -99,13 +99,13 @@ class HarmonicOscillation:
         formula: Expression = (
             self.equilibrium - self.equilibrium * Call("cos", angle) if self.equilibrium != ZERO else ZERO
         )
-        if self.begun.negative:
-            return formula - (-self.begun) * Call("sin", angle)
-        return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
+        if self.sine_coefficient.negative:
+            return formula - (-self.sine_coefficient) * Call("sin", angle)
+        return formula + self.sine_coefficient * Call("sin", angle) if self.sine_coefficient != ZERO else formula
 
     def displacement(self, time: Symbol) -> Expression:
         """Return the displacement at a time: x₀ + A cos(ωt − φ), or sums of cos ωt and sin ωt if these are shorter."""
-        if ZERO in (self.begun, self.equilibrium):
+        if ZERO in (self.sine_coefficient, self.equilibrium):
             return self.displacement_at_phase(self.angular_frequency * time)
         return self.equilibrium + self.amplitude * Call("cos", self.angular_frequency * time - self._first_phase)
 
@@ -179,7 +179,7 @@ class HarmonicOscillation:
         return "the point at which the net force is zero" if self._rubs else "the equilibrium position"
 
     @cached_property
-    def begun(self) -> Expression:
+    def sine_coefficient(self) -> Expression:
         """Return the coefficient v₀/ω of sin ωt in the displacement, m; zero if the motion begins at rest."""
         return self.first.expression() / self.angular_frequency if self.first else ZERO
 
@@ -192,10 +192,10 @@ class HarmonicOscillation:
     @cached_property
     def amplitude(self) -> Expression:
         """Return the amplitude, in m, from the position of zero net force."""
-        if ZERO in (self.begun, self.equilibrium):
-            only = self.equilibrium if self.begun == ZERO else self.begun
+        if ZERO in (self.sine_coefficient, self.equilibrium):
+            only = self.equilibrium if self.sine_coefficient == ZERO else self.sine_coefficient
             return only if self.book.value(only) >= 0.0 else -only
-        formula = Root(Power(self.equilibrium, 2) + Power(self.begun, 2))
+        formula = Root(Power(self.equilibrium, 2) + Power(self.sine_coefficient, 2))
         taken = any(name.endswith("_A") for name in self.book.values)  # A is a body
         name = self.book.fresh(*((split_name(self.name.name)[0], r"\text{max}") if taken else ("A",)))
         return self.book.add_step("amplitude", "The amplitude is", name, formula, METRES)
@@ -209,11 +209,11 @@ class HarmonicOscillation:
 
     def angle_of_turning(self, time: float) -> Expression:
         """Return the phase ωt of the turning point at a time, s."""
-        if ZERO in (self.begun, self.equilibrium):
+        if ZERO in (self.sine_coefficient, self.equilibrium):
             formula: Expression = ZERO
-            shift = 0.0 if self.begun == ZERO else 0.5
+            shift = 0.0 if self.sine_coefficient == ZERO else 0.5
         else:
-            formula, shift = Call("arctan", self.begun / -self.equilibrium), 0.0
+            formula, shift = Call("arctan", self.sine_coefficient / -self.equilibrium), 0.0
         turns = round(self.numbers[0] * time / pi - shift - (self.book.value(formula) / pi))
         return formula + Number(turns + shift) * PI if turns + shift else formula
 
@@ -225,9 +225,9 @@ class HarmonicOscillation:
             return Number(round(omega * time / pi)) * PI
         if self.equilibrium == ZERO:
             base: Expression = ZERO
-            plain: Expression = Call("arcsin", self._share(place, self.begun))
+            plain: Expression = Call("arcsin", self._share(place, self.sine_coefficient))
             options = [(plain, 0.0, 1.0), (plain, 1.0, -1.0)]
-        elif self.begun == ZERO:
+        elif self.sine_coefficient == ZERO:
             share = self._share(place, self.equilibrium)
             base, plain = ZERO, Call("arccos", ONE + -share if share.negative else ONE - share)
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
@@ -256,7 +256,7 @@ class HarmonicOscillation:
     @cached_property
     def _first_phase(self) -> Symbol:
         """Return the symbol of the phase φ in x = x₀ + A cos(ωt − φ)."""
-        formula: Expression = Call("arctan", self.begun / -self.equilibrium)
+        formula: Expression = Call("arctan", self.sine_coefficient / -self.equilibrium)
         if self.numbers[1] > 0.0:
             formula = formula + PI
         whence = self.balance if self._rubs else "equilibrium"

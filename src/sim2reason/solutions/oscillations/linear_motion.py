@@ -14,7 +14,7 @@ from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.structure import bending, changing
+from sim2reason.scenes.dsl.structure import changing, rotating_line
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
@@ -89,7 +89,7 @@ def nonlinear_reason(mechanism: Mechanism) -> str:
     if cause and not _on_a_ring(mechanism):
         return f"{cause} makes the equations change"
     springs = [line for line in mechanism.lines if isinstance(line.law, Elastic) and line.circle is None]
-    return next((f"{line.name} turns" for line in springs if bending(line, frames)), "")
+    return next((f"{line.name} turns" for line in springs if rotating_line(line, frames)), "")
 
 
 def min_free_coordinates(mechanism: Mechanism) -> int:
@@ -121,7 +121,7 @@ class LinearMotion:
         self._check()
 
     @classmethod
-    def of(cls, setting: ProblemContext, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
+    def for_segment(cls, setting: ProblemContext, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
         """Return the equations of a segment, cached for all questions with the same preferred free coordinates."""
         if setting.scene is not setting.study.scene:
             return cls(setting, segment, wanted)
@@ -134,7 +134,7 @@ class LinearMotion:
     def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
         """Return the equations with the free coordinate counted from `begin`, a symbol whose value is `at`, m."""
         shifted = copy(self)
-        shifted.begin = NIL if begin == ZERO else Polynomial.of(begin)
+        shifted.begin = NIL if begin == ZERO else Polynomial.from_expression(begin)
         shifted.givens = self.givens | dict.fromkeys(begin.symbols(), at)
         return shifted
 
@@ -189,7 +189,7 @@ class LinearMotion:
     def _bound(self) -> Mapping[str, Polynomial]:
         """Return the accelerations of all coordinates, by name, in terms of those of the free coordinates."""
         return {
-            f"q{k}": total(_unknown(i).scaled(part) for i, part in parts.items()) for k, parts in self.ratios.items()
+            f"q{k}": total(_unknown(i).scale(part) for i, part in parts.items()) for k, parts in self.ratios.items()
         }
 
     @cached_property
@@ -200,8 +200,8 @@ class LinearMotion:
         normal = {f"N{face}": self.normal(face) for face, side in self.laws.slip_directions.items() if side}
         for i in self.free:
             parts = [(row, self.ratio(k, i)) for k, row in laws.items() if self.ratio(k, i)]
-            forces = total(row.forces.substitute(normal).scaled(part) for row, part in parts)
-            inertia = total(row.inertia.substitute(bound).scaled(part) for row, part in parts)
+            forces = total(row.forces.substitute(normal).scale(part) for row, part in parts)
+            inertia = total(row.inertia.substitute(bound).scale(part) for row, part in parts)
             if any(name[0] in "Tf" and name[1:].isdigit() for name in forces.names()):
                 raise UnsolvedError("a tension does not cancel")
             sums.append((forces, inertia))
@@ -210,7 +210,7 @@ class LinearMotion:
     def normal(self, face: int) -> Polynomial:
         """Return the normal force on a face; UnsolvedError unless it is constant."""
         row = self.laws.normal(face)
-        normal_force = row.inertia - row.forces.without((f"N{face}",))
+        normal_force = row.inertia - row.forces.terms_without((f"N{face}",))
         if any(name[0] in "qTSN" and name[1:].isdigit() for name in normal_force.names()):
             raise UnsolvedError("a normal force that changes")
         return normal_force
@@ -229,7 +229,7 @@ class LinearMotion:
         ratio = 0.0
         for k in self.ratios:
             part = self.ratio(k, i)
-            if part and self.laws.changes(number, k).here:
+            if part and self.laws.changes(number, k).value:
                 plain = self.laws.stretch(number, k).number
                 if plain is None:
                     raise UnsolvedError("a spring is stretched at a ratio that is no plain number")
@@ -247,11 +247,11 @@ class LinearMotion:
     def _matched(self, what: str, i: int, j: int) -> Polynomial:
         of = {"stiffness": self.laws.stiffness, "damping": self.laws.damping}[what]
         pairs = [(n, self.extension_ratio(n, i) * self.extension_ratio(n, j)) for n in self.springs]
-        return total(of(n).scaled(part) for n, part in pairs if part)
+        return total(of(n).scale(part) for n, part in pairs if part)
 
     def steady(self, i: int) -> Polynomial:
         """Return the sum of all forces along a free coordinate except those of springs."""
-        return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
+        return self._sums[self.free.index(i)][0].terms_without([f"S{n}" for n in self.laws.springs])
 
     def friction(self, i: int) -> Polynomial:
         """Return the part of `steady` that is kinetic friction."""
@@ -264,17 +264,15 @@ class LinearMotion:
     def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:
         friction = NIL
         for face, side in self.laws.slip_directions.items():
-            along = total(part.scaled(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
+            along = total(part.scale(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
             if side and along:
-                friction = friction + (coefficient(face) * self.normal(face) * along).scaled(float(-side))
+                friction = friction + (coefficient(face) * self.normal(face) * along).scale(float(-side))
         return friction
 
     def load(self, i: int) -> Polynomial:
         """Return Q, the net force along a free coordinate at the zero of this coordinate, by default the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
-        net_force = self.steady(i) - total(
-            self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p
-        )
+        net_force = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scale(p) for n, p in pulls if p)
         return net_force - self.stiffness(i, i) * self.begin if self.begin else net_force
 
     @property
@@ -297,9 +295,9 @@ class LinearMotion:
         if np.linalg.cond(mass) > 1.0 / RATIO_TOLERANCE:
             raise UnsolvedError("something without mass moves by itself")
         scale = self.laws.scale
-        q, v = (np.array([part[i] * scale[i].here for i in self.free]) for part in (self.segment.q, self.segment.v))
+        q, v = (np.array([part[i] * scale[i].value for i in self.free]) for part in (self.segment.q, self.segment.v))
         a = np.linalg.solve(mass, load - self.matrix("stiffness") @ q - self.matrix("damping") @ v)
-        there = np.array([self.segment.a[i] * scale[i].here for i in self.free])
+        there = np.array([self.segment.a[i] * scale[i].value for i in self.free])
         if np.abs(a - there).max() > ACCELERATION_RTOL * max(1.0, float(np.abs(there).max())):
             raise UnsolvedError("the equations are not those of the motion")
 

@@ -68,7 +68,7 @@ class LinearMotionModel(StraightMotion):
         slides = [k for k in heavy if self.mechanism.coordinates[k].kind == "slide"]
         mentioned = [k for k in slides if self.mechanism.coordinates[k].body in self.setting.words.mentions]
         wanted = [*self.moving(names), *self.asked_coordinates(), *mentioned, *slides]
-        return LinearMotion.of(self.setting, self.segment, tuple(dict.fromkeys(wanted)))
+        return LinearMotion.for_segment(self.setting, self.segment, tuple(dict.fromkeys(wanted)))
 
     @property
     def newton(self) -> Newton:
@@ -78,9 +78,9 @@ class LinearMotionModel(StraightMotion):
     def rate(self, kind: str, k: int) -> Polynomial:
         """Return the acceleration, velocity or displacement of a coordinate by those of the free ones."""
         of = {"a": self.acceleration, "v": self.speed, "s": self.place}[kind]
-        return total(of(i).scaled(part) for i, part in self.motion.ratios[k].items())
+        return total(of(i).scale(part) for i, part in self.motion.ratios[k].items())
 
-    def first(self, i: int) -> Polynomial:
+    def initial_rate(self, i: int) -> Polynomial:
         """Return the rate of a free coordinate at the start."""
         return self.first_speeds.get(i, NIL)
 
@@ -185,7 +185,7 @@ class LinearMotionModel(StraightMotion):
         number = self._number(line)
         of = {"v": self.speed, "s": self.place}[kind]
         parts = [(i, self.motion.extension_ratio(number, i)) for i in self.motion.free]
-        return total(of(i).scaled(part) for i, part in parts if part)
+        return total(of(i).scale(part) for i, part in parts if part)
 
     def spring(self, what: str, line: str) -> Polynomial:
         """Return a parameter of a spring, such as its stiffness."""
@@ -246,8 +246,10 @@ class LinearMotionModel(StraightMotion):
         force_name = goal.force(target, self.setting)
         gained = {f"q{k}": self.rate("v", k) - self.first_speeds.get(k, NIL) for k in self.gaining}
         weight = row.forces.substitute({force_name: NIL})
-        unknown_impulse = Polynomial.of(self.book.fresh("J"))
-        pushed = (row.forces - weight).substitute({force_name: unknown_impulse}) + weight * Polynomial.of(self.clock())
+        unknown_impulse = Polynomial.from_expression(self.book.fresh("J"))
+        pushed = (row.forces - weight).substitute({force_name: unknown_impulse}) + weight * Polynomial.from_expression(
+            self.moment_time()
+        )
         step, gain = self.book.begin_step("impulse"), row.inertia.substitute(gained)
         who = self.setting.display_name(self.mechanism.coordinates[row.number].body)
         law = step.law(pushed.expression(), gain.expression())
@@ -265,7 +267,7 @@ class LinearMotionModel(StraightMotion):
         del line
         return write_tension_work(self, self.motion.laws.springs, body)
 
-    def clock(self) -> Symbol:
+    def moment_time(self) -> Symbol:
         """Return the time of the moment of the question; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a time")
 
@@ -280,7 +282,7 @@ class LinearMotionModel(StraightMotion):
         force_symbol = self.book.fresh(kind, self.setting.subscript_of(name) if name in self.mechanism.body else "")
         bound = (row.forces - row.inertia).substitute(known)
         turned = kind == "f" and self.book.value(solve_linear(bound, asked)) < 0.0
-        named = {asked: Polynomial.of(force_symbol).scaled(-1.0 if turned else 1.0)}
+        named = {asked: Polynomial.from_expression(force_symbol).scale(-1.0 if turned else 1.0)}
         forces, inertia = row.forces.substitute(known).substitute(named), row.inertia.substitute(known)
         step = self.book.begin_step("newton")
         who = self.setting.display_name(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"

@@ -85,7 +85,7 @@ def jerk(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
     return _summed(modes, i, t, 3)
 
 
-def plain(modes: list[Mode]) -> list[Mode]:
+def normalized_single_mode(modes: list[Mode]) -> list[Mode]:
     """Return modes with the same zeros in time: a single pure sine or 1 − cosine loses its constant factors."""
     if len(modes) != 1 or modes[0].rate is None or ZERO not in (modes[0].rise, modes[0].swing):
         return modes
@@ -119,7 +119,7 @@ class ModeLaws:
         """
         self.book, self.motion, self.first, self.names = book, motion, list(first), list(names)
         self.size, self.loaded = len(motion.free), loaded
-        self.told: frozenset[int] = frozenset()  # indices of the modes that the solution shows
+        self.shown_modes: frozenset[int] = frozenset()  # indices of the modes that the solution shows
         self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
         half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
         decomposition = np.linalg.eigh(half @ self.stiffness @ half.T)
@@ -128,7 +128,7 @@ class ModeLaws:
         if self.squares[0] < -ZERO_MODE_RTOL * self.squares[-1]:
             raise UnsolvedError("something is driven away")
         self.load: Array = np.array([motion.load(i).value(motion.givens) for i in motion.free])
-        self.begun: Array = np.array([rate.value(motion.givens) for rate in first])
+        self.initial_rates: Array = np.array([rate.value(motion.givens) for rate in first])
         self._tell_equations(loaded=loaded)
 
     @property
@@ -147,8 +147,8 @@ class ModeLaws:
         equations: list[str] = []
         for i, number in enumerate(self.motion.free):
             entries = [(*self.entry(i, j), name) for j, name in enumerate(self.names)]
-            inertia = total(mass * Polynomial.of(dotted(name)) for _, mass, name in entries)
-            pull = total(stiff * Polynomial.of(name) for stiff, _, name in entries)
+            inertia = total(mass * Polynomial.from_expression(dotted(name)) for _, mass, name in entries)
+            pull = total(stiff * Polynomial.from_expression(name) for stiff, _, name in entries)
             forces = (self.motion.load(number) if loaded else NIL) - pull
             equations.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
         step = self.book.begin_step("equations of motion")
@@ -161,7 +161,7 @@ class ModeLaws:
         """Return the coefficients of det(K − λM) by the power of λ."""
         coefficients = [NIL] * (self.size + 1)
         for sign, order in signed_permutations(self.size):
-            product = [Polynomial.of(sign)]
+            product = [Polynomial.from_expression(sign)]
             for i, j in enumerate(order):
                 stiff, mass = self.entry(i, j)
                 longer = [NIL] * (len(product) + 1)
@@ -188,7 +188,7 @@ class ModeLaws:
     def _only(self, powers: Sequence[Polynomial]) -> Mode:
         """Write the root of a linear characteristic equation and return its mode."""
         mode = self._named(self.zeros)
-        self._root(mode, powers, reduced_quotient(powers[0].scaled(-1.0), powers[1]))
+        self._root(mode, powers, reduced_quotient(powers[0].scale(-1.0), powers[1]))
         return mode
 
     def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
@@ -200,7 +200,7 @@ class ModeLaws:
             turned = sign if self.book.value(a) > 0.0 else -sign
             formula = (-b - Number(turned) * Root(Power(b, 2) - 4.0 * a * c)) / (2.0 * a)
             implicit = not self.loaded and self.book.is_hidden(formula) and not self.book.in_symbols
-            self._root(mode, powers, self._implicit(mode, powers) if implicit else self.book.worked(formula))
+            self._root(mode, powers, self._implicit(mode, powers) if implicit else self.book.defer_to_number(formula))
             modes.append(mode)
         return modes
 
@@ -227,9 +227,9 @@ class ModeLaws:
             size = part.expression()
             value = self.book.value(size)
             if long and not self.book.is_hidden(size):
-                size = NumericFormula(size if value > 0.0 else part.scaled(-1.0).expression(), abs(value))
+                size = NumericFormula(size if value > 0.0 else part.scale(-1.0).expression(), abs(value))
             elif value < 0.0:
-                size = part.scaled(-1.0).expression()
+                size = part.scale(-1.0).expression()
             term = size if power == 0 else size * (square if power == 1 else Power(square, power))
             characteristic = characteristic + term if value > 0.0 else characteristic - term
         return characteristic
@@ -240,10 +240,10 @@ class ModeLaws:
         first = int(np.argmax(np.abs(numbers)))
         mark = str(number + 1) if self.size - self.zeros > 1 else ""
         mode = Mode(number, self.book.fresh(r"\lambda", mark), first=first)
-        self.tell_laws(mode)
+        self.write_laws(mode)
         return mode
 
-    def tell_laws(self, mode: Mode) -> None:
+    def write_laws(self, mode: Mode) -> None:
         """Write Newton's law along each free coordinate for one mode; if λ is zero, without the redundant law."""
         numbers = self.shapes[:, mode.number] / self.shapes[mode.first, mode.number]
         unknown = [i for i in range(self.size) if i != mode.first]
@@ -272,8 +272,11 @@ class ModeLaws:
 
     def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
         """Return both sides of Newton's law of a mode along one free coordinate: stiffness and inertia."""
-        square = Polynomial.of(mode.square) if mode.square != ZERO else NIL
-        parts = [(self.entry(i, j), Polynomial.of(part if part != ONE else 1.0)) for j, part in enumerate(mode.shape)]
+        square = Polynomial.from_expression(mode.square) if mode.square != ZERO else NIL
+        parts = [
+            (self.entry(i, j), Polynomial.from_expression(part if part != ONE else 1.0))
+            for j, part in enumerate(mode.shape)
+        ]
         return total(stiff * a for (stiff, _), a in parts), total(square * mass * a for (_, mass), a in parts)
 
     def _root(self, mode: Mode, powers: Sequence[Polynomial], formula: Expression | None) -> None:
@@ -312,7 +315,9 @@ class ModeLaws:
 
     def _repeats(self, mode: Mode) -> bool:
         """Return whether the text of an earlier mode already contains the characteristic equation."""
-        return any(self.zeros <= number < mode.number for number in self.told) and mode.number in self.told
+        return (
+            any(self.zeros <= number < mode.number for number in self.shown_modes) and mode.number in self.shown_modes
+        )
 
     def _mark(self, i: int, mode: Mode) -> str:
         """Return the subscript of a component of a mode shape: the mode, after the body if there are several."""

@@ -11,7 +11,7 @@ from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power, sum_of_squares, summed
+from sim2reason.solutions.algebra.functions import Power, sum_formulas, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, common_monomial
 from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
@@ -85,18 +85,18 @@ def collect_stiffness(forces: Polynomial, stiffness: Polynomial) -> Expression:
 def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
     """Return the net force along the free coordinate at its origin, without friction, times `sign`."""
     (i,) = motion.free
-    load = (motion.load(i) - motion.friction(i)).scaled(sign)
+    load = (motion.load(i) - motion.friction(i)).scale(sign)
     if common_monomial([*load.terms]):
         return load.factored()
-    steady = (motion.steady(i) - motion.friction(i)).scaled(sign)
+    steady = (motion.steady(i) - motion.friction(i)).scale(sign)
     force = steady.factored() if steady else ZERO
     for n in motion.springs:
         drawn = motion.extension_ratio(n, i)
-        stretched, part = motion.laws.strain(n) + motion.begin.scaled(drawn), -sign * drawn
+        stretched, part = motion.laws.strain(n) + motion.begin.scale(drawn), -sign * drawn
         if not stretched:
             continue
         if part < 0.0:
-            stretched, part = stretched.scaled(-1.0), -part
+            stretched, part = stretched.scale(-1.0), -part
         pull = motion.laws.stiffness(n).expression() * _positive_first(stretched)
         force = force + (pull if part == 1.0 else Number(part) * pull)
     return force
@@ -156,7 +156,7 @@ def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
     return len(entries) > 1 and straight and all(abs(abs(part) - 1.0) < UNIT_RATIO_TOLERANCE for part in parts.values())
 
 
-def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, position: Symbol, mover: str) -> None:
+def write_extreme_end(setting: ProblemContext, book: SolutionBuilder, position: Symbol, mover: str) -> None:
     """Write why a quantity that is linear in the position is extreme at a turning point."""
     target, query = greatest_target(setting), setting.query
     if target is None or not isinstance(query, StretchQuery) or target.quantity not in LINEAR:
@@ -171,7 +171,7 @@ def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, position: S
     step.close()
 
 
-def told_extensions(motion: LinearMotion | RelativeMotion, position: Expression, setting: ProblemContext) -> str:
+def extensions_sentence(motion: LinearMotion | RelativeMotion, position: Expression, setting: ProblemContext) -> str:
     """Return a sentence with the extension or compression of each spring at a position; empty if all are known."""
     clauses: list[str] = []
     for n in motion.springs:
@@ -193,13 +193,13 @@ def write_tension_work(motion: StraightMotion, springs: Collection[int], body: s
         raise UnsolvedError("the body moves along no line of its own")
     row, force_name = motion.newton.newton(k), goal.force(target, motion.setting)
     pulling = [n for n in springs if f"S{n}" in row.forces.names()]
-    steady = row.forces.without([force_name, *(f"S{n}" for n in pulling)])
+    steady = row.forces.terms_without([force_name, *(f"S{n}" for n in pulling)])
     unknown = any(name[0] in "TNf" and name[1:].isdigit() for name in steady.names())
     if unknown or not all(_is_fixed(motion, n) for n in pulling):
         raise UnsolvedError("other forces than the tension change, too")
     found, speed, before = motion.book.fresh("W"), motion.rate("v", k), motion.first_speeds.get(k, NIL)
-    gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
-    rest = (steady * motion.rate("s", k)).expression() + summed(_given_off(motion, n) for n in pulling)
+    gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scale(0.5).expression()
+    rest = (steady * motion.rate("s", k)).expression() + sum_formulas(_given_off(motion, n) for n in pulling)
     step, who = motion.book.begin_step("work"), motion.setting.display_name(body)
     law = step.law(found + rest, gained)
     text = f"The work of all forces on {who} is its kinetic energy: {law}, so"

@@ -65,7 +65,7 @@ ACCELERATED = 2  # order of the time derivative that is an acceleration
 Form = tuple[Array, int]
 """A linear combination of displacements: a weight per free coordinate, (n,), and the order of a time derivative."""
 
-RESTS = (
+COMMON_MODE_AT_REST = (
     "The total momentum is zero, and no external force changes it, so the centre of mass stays at rest and this mode "
     "is not excited."
 )
@@ -98,7 +98,7 @@ class NormalModes(ModeLaws):
         shape = self.shapes[:, n]
         return abs(float(shape @ self.load)) > EXCITATION_RTOL * float(np.abs(shape * self.load).max())
 
-    def shown(self, forms: Sequence[Form]) -> list[int]:
+    def contributing_modes(self, forms: Sequence[Form]) -> list[int]:
         """Return the indices of excited modes that contribute to `forms`, without writing anything."""
         return [n for n in self._moving if self._counts(n, forms)]
 
@@ -109,7 +109,7 @@ class NormalModes(ModeLaws):
         for n in range(self.size):
             shape = self.shapes[:, n]
             heavy = float(shape @ self.mass @ shape)
-            rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.begun) / heavy
+            rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.initial_rates) / heavy
             square = self.squares[n] if n >= self.zeros else 1.0
             sizes.append(max(abs(rise) / square, abs(swing) / square**0.5) * float(np.abs(shape).max()))
         return [n for n in range(self.size) if sizes[n] > EXCITATION_RTOL * max(sizes)]
@@ -119,12 +119,12 @@ class NormalModes(ModeLaws):
 
         `forms` are the linear combinations that the question needs; modes that contribute to none are left out.
         """
-        shown = self.shown(forms)
-        self.told = frozenset(shown)
+        shown = self.contributing_modes(forms)
+        self.shown_modes = frozenset(shown)
         modes = [mode for mode in self.modes if mode.number in shown]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in modes):
             step = self.book.begin_step("modes")
-            step.add_text(f"Mode 1 is the common motion of all bodies. {self._why_apart}")
+            step.add_text(f"Mode 1 is the common motion of all bodies. {self._omitted_mode_reason}")
             step.close()
         for mode in modes:
             self._shaped(mode)
@@ -134,13 +134,13 @@ class NormalModes(ModeLaws):
         return modes
 
     @property
-    def _why_apart(self) -> str:
+    def _omitted_mode_reason(self) -> str:
         """Return a sentence that says why the common motion is left out: not excited, or irrelevant here."""
         shape = self.shapes[:, 0]
-        terms = (shape * self.load, shape * (self.mass @ self.begun))
+        terms = (shape * self.load, shape * (self.mass @ self.initial_rates))
         driven, moves = (abs(float(part.sum())) > EXCITATION_RTOL * float(np.abs(part).max()) for part in terms)
         if not driven and not moves:
-            return RESTS
+            return COMMON_MODE_AT_REST
         kept = "the distances between them" if driven else "distances between them or, as it is uniform, accelerations"
         return f"It does not change {kept}; in what follows, displacements are those apart from it."
 
@@ -168,11 +168,11 @@ class NormalModes(ModeLaws):
     @property
     def common(self) -> bool:
         """Return whether the initial state excites the common motion of all bodies, but the text leaves it out."""
-        return any(n < self.zeros for n in self._moving if n not in self.told)
+        return any(n < self.zeros for n in self._moving if n not in self.shown_modes)
 
     def _sums(self, found: Sequence[Mode]) -> str:
         """Return a clause with the displacements to which only the given modes contribute, as sums over modes."""
-        others = [n for n in self._moving if n not in self.told]
+        others = [n for n in self._moving if n not in self.shown_modes]
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
         equations: list[str] = []
         for i, name in enumerate(self.names):
@@ -200,7 +200,7 @@ class NormalModes(ModeLaws):
         """Write the mode shape: the amplitudes of the free coordinates, of which the greatest is 1."""
         if mode.square == ZERO:
             mode.first = int(np.argmax(np.abs(self.shapes[:, mode.number])))
-            self.tell_laws(mode)
+            self.write_laws(mode)
         names = [part.name for part in mode.shape if isinstance(part, Symbol)]
         if not names:
             return
@@ -230,9 +230,9 @@ class NormalModes(ModeLaws):
         """Record the simultaneous solution of linear equations by Cramer's rule and return each in LaTeX."""
         equations: list[str] = []
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
-        rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
+        rest = [row.terms_without(left).scale(-1.0) for row in rows[: len(left)]]
         for name, formula in zip(left, cramer(coefficients, rest), strict=True):
-            written = formula if len(formula.latex()) <= MAX_FORMULA_LENGTH else self.book.worked(formula)
+            written = formula if len(formula.latex()) <= MAX_FORMULA_LENGTH else self.book.defer_to_number(formula)
             equations.append(step.result(Symbol(name), written, ""))
         return equations
 
@@ -257,7 +257,7 @@ class NormalModes(ModeLaws):
             text = "Its angular frequency is" if alone else f"The angular frequency of mode {n} is"
             self.book.add_step("rate", text, mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
-        carry = shape * (self.mass @ self.begun)
+        carry = shape * (self.mass @ self.initial_rates)
         moves = momentum != ZERO and abs(float(carry.sum())) > EXCITATION_RTOL * float(np.abs(carry).max())
         self._tell_course(mode, own, push if self._pushed(mode.number) else ZERO, momentum if moves else ZERO)
 
@@ -299,7 +299,7 @@ class NormalModes(ModeLaws):
                 mass = self.entry(i, j)[1]
                 if mass and j >= i:
                     pair = Power(one, 2) if i == j and one != ONE else one * other
-                    effective_mass = effective_mass + (mass.scaled(1.0 if i == j else 2.0)).expression() * pair
+                    effective_mass = effective_mass + (mass.scale(1.0 if i == j else 2.0)).expression() * pair
         if not named:
             return effective_mass
         name = self.book.fresh(r"\mu", str(mode.number + 1))

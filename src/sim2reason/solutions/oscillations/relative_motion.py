@@ -24,18 +24,18 @@ class MomentumWords:
 
     conserved: str
     zero: str
-    rests: str  # consequence for the centre of mass, as in the next two sentences
+    centre_at_rest: str  # consequence for the centre of mass, as in the next two sentences
     drifts: str
     unaccelerated: str
     frame: str  # the frame in which the momentum is zero
 
     @property
-    def still(self) -> str:
+    def zero_momentum_sentence(self) -> str:
         """Return the sentence that the momentum is zero, with the consequence for the centre of mass."""
-        return f"{self.zero}{self.rests}"
+        return f"{self.zero}{self.centre_at_rest}"
 
     @classmethod
-    def of(cls, setting: ProblemContext) -> Self:
+    def for_scene(cls, setting: ProblemContext) -> Self:
         """Return the sentences on conserved momentum for a scene: horizontal, along a track, or angular on a ring."""
         coordinates = setting.mechanism.coordinates
         if all(coordinate.kind == "hinge" for coordinate in coordinates):  # beads on a level ring
@@ -91,15 +91,15 @@ class RelativeMotion:
             raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
         if len({motion.mechanism.coordinates[i].body for i in motion.free}) < len(motion.free):
             raise UnsolvedError("a single body moves in two directions")
-        directions = [direction for direction in DIRECTIONS if self._kept(direction)]
+        directions = [direction for direction in DIRECTIONS if self._is_conserved(direction)]
         if len(directions) != 1:
             raise UnsolvedError("no momentum is conserved")
         self.way = directions[0]
         kept = 0 if self.way[0] else 1
         self.other, own = motion.free[kept], motion.free[1 - kept]
         self.free = [own]
-        self.words = MomentumWords.of(motion.setting)
-        self.called = "x"  # symbol of the relative displacement
+        self.words = MomentumWords.for_scene(motion.setting)
+        self.coordinate_name = "x"  # symbol of the relative displacement
         self.recoils = ""  # beginning of a sentence with the shared velocity, in the frame of zero momentum
         share = self.way[1 - kept] if self.way[kept] else 0.0  # rate of the free coordinate per rate of the other
         self.shared = share / self.way[kept]
@@ -115,9 +115,9 @@ class RelativeMotion:
             for k in motion.ratios
         }
 
-    def _kept(self, way: tuple[float, float]) -> bool:
+    def _is_conserved(self, way: tuple[float, float]) -> bool:
         pairs = [*zip(self.whole.free, way, strict=True)]
-        if total(self.whole.load(i).scaled(part) for i, part in pairs if part):
+        if total(self.whole.load(i).scale(part) for i, part in pairs if part):
             return False
         return not any(
             abs(sum(self.whole.extension_ratio(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs
@@ -142,12 +142,12 @@ class RelativeMotion:
     def masses(self) -> tuple[Polynomial, Polynomial, Polynomial]:
         """Return the mass-matrix elements of the common motion of both bodies, the mixed one, and the relative one."""
         i, j, m = self.other, self.free[0], self.whole.mass
-        both = m(i, j) + m(j, j).scaled(self.shared)
-        shared = m(i, i) + m(i, j).scaled(2.0 * self.shared) + m(j, j).scaled(self.shared**2)
+        both = m(i, j) + m(j, j).scale(self.shared)
+        shared = m(i, i) + m(i, j).scale(2.0 * self.shared) + m(j, j).scale(self.shared**2)
         return shared, both, m(j, j)
 
     @cached_property
-    def reduced(self) -> Symbol:
+    def reduced_mass(self) -> Symbol:
         """Write the reduced mass µ, or the effective mass from the kinetic energy, and return its symbol."""
         shared, both, own = self.masses
         name, square = self.book.fresh(r"\mu"), Power(both.factored(), 2)
@@ -156,13 +156,13 @@ class RelativeMotion:
             return self.book.add_step(
                 "inertia", text, name, reduced_quotient(own * shared - both * both, shared), KILOGRAMS
             )
-        step, rate = self.book.begin_step("inertia"), Symbol(rf"\dot{{{self.called}}}")
+        step, rate = self.book.begin_step("inertia"), Symbol(rf"\dot{{{self.coordinate_name}}}")
         negative = both.value(self.givens) < 0.0
-        share = (both.scaled(-1.0) if negative else both).factored() / shared.expression()
+        share = (both.scale(-1.0) if negative else both).factored() / shared.expression()
         recoil, moving = share * rate if negative else -(share * rate), self.book.fresh("V")
         step.add_text(f"{self.recoils} ${recoil.latex()}$.")
         kinetic_energy = HALF * shared.expression() * Power(moving, 2) + HALF * own.expression() * Power(rate, 2)
-        mixed = both.scaled(-1.0 if negative else 1.0).factored() * moving * rate
+        mixed = both.scale(-1.0 if negative else 1.0).factored() * moving * rate
         kinetic_energy = kinetic_energy - mixed if negative else kinetic_energy + mixed
         step.add_text(
             f"With ${moving.name}$ for this velocity, the total kinetic energy is ${kinetic_energy.latex()}$."
@@ -177,7 +177,7 @@ class RelativeMotion:
     def mass(self, i: int, j: int) -> Polynomial:
         """Return the reduced mass µ of the relative motion."""
         del i, j
-        return Polynomial.of(self.reduced)
+        return Polynomial.from_expression(self.reduced_mass)
 
     def stiffness(self, i: int, j: int) -> Polynomial:
         """Return the stiffness of the springs along the relative motion."""

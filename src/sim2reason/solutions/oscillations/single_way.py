@@ -19,10 +19,14 @@ from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SPEED
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 
-def signed(formula: Expression) -> Polynomial:
+def signed_polynomial(formula: Expression) -> Polynomial:
     """Convert a formula that is a symbol, its negative, or zero to a polynomial."""
     return (
-        NIL if formula == ZERO else Polynomial.of(-formula).scaled(-1.0) if formula.negative else Polynomial.of(formula)
+        NIL
+        if formula == ZERO
+        else Polynomial.from_expression(-formula).scale(-1.0)
+        if formula.negative
+        else Polynomial.from_expression(formula)
     )
 
 
@@ -76,7 +80,7 @@ class OneCoordinateModel(LinearMotionModel):
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
         """Return displacement k over the free coordinate, as (numerator, denominator); None if the quotient varies."""
-        return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
+        return Polynomial.from_expression(self.motion.ratio(k, self.motion.free[0])), Polynomial.from_expression(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
         """Return the value of the free coordinate when a body has moved a stated distance, m."""
@@ -87,12 +91,14 @@ class OneCoordinateModel(LinearMotionModel):
         self.book.state_given(name.name, moment.value, METRES)
         self._given_distance = name.name
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-        return reduced_quotient(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
+        return reduced_quotient(
+            share[1] * Polynomial.from_expression(name).scale(1.0 if there > 0.0 else -1.0), share[0]
+        )
 
     def relaxed_place(self, spring: str) -> Expression:
         """Return the value of the free coordinate at which a spring has its natural length, m."""
         part = self.motion.extension_ratio(self._number(spring), self.motion.free[0])
-        return self.spring("strain", spring).scaled(-1.0 / part).expression()
+        return self.spring("strain", spring).scale(-1.0 / part).expression()
 
     def stops_alone(self) -> None:
         """Raise UnsolvedError if a body comes to rest while the free coordinate still changes."""
@@ -100,10 +106,10 @@ class OneCoordinateModel(LinearMotionModel):
         if isinstance(moment, Stopped) and any(self.share(k) is None for k in self.moving([moment.name])):
             raise UnsolvedError("the moment is not about the relative motion")
 
-    def seen(self, row: Array) -> float:
+    def engine_value(self, row: Array) -> float:
         """Return the engine's value of the free coordinate, from the values of all coordinates."""
         i = self.motion.free[0]
-        return self.newton.scale[i].here * float(row[i])
+        return self.newton.scale[i].value * float(row[i])
 
 
 class TwoBodyModel(OneCoordinateModel):
@@ -137,15 +143,15 @@ class TwoBodyModel(OneCoordinateModel):
         relative = self._relative
         if {*relative.ratios[k]} == {*relative.free}:
             return super().share(k)
-        if self.kept:
+        if self.conserved_momentum:
             return None
         shared, both, _ = relative.masses
         own, other = relative.ratio(k, relative.free[0]), relative.ratio(k, relative.other)
-        numerator = shared.scaled(own) - both.scaled(other)
+        numerator = shared.scale(own) - both.scale(other)
         return (
             (numerator, shared)
             if numerator.value(relative.givens) > 0.0
-            else (numerator.scaled(-1.0), shared.scaled(-1.0))
+            else (numerator.scale(-1.0), shared.scale(-1.0))
         )
 
     def moved_to(self, moment: Moved) -> Expression:
@@ -153,22 +159,22 @@ class TwoBodyModel(OneCoordinateModel):
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
-        text = f"{self._relative.words.still}. The relative displacement is then"
+        text = f"{self._relative.words.zero_momentum_sentence}. The relative displacement is then"
         return self.book.add_step("momentum", text, self.name, formula, METRES)
 
-    def first(self, i: int) -> Polynomial:
+    def initial_rate(self, i: int) -> Polynomial:
         """Return the initial rate of a coordinate: of the relative motion, or of the motion common to both bodies."""
         relative = self._relative
         mine = self.first_speeds.get(i, NIL)
         if i == relative.other:
             return mine
-        return mine - self.first_speeds.get(relative.other, NIL).scaled(relative.shared)
+        return mine - self.first_speeds.get(relative.other, NIL).scale(relative.shared)
 
-    def seen(self, row: Array) -> float:
+    def engine_value(self, row: Array) -> float:
         """Return the relative rate, in SI units, from the rates of all coordinates."""
         relative, scale = self._relative, self.newton.scale
         i, j = relative.free[0], relative.other
-        return scale[i].here * float(row[i]) - relative.shared * scale[j].here * float(row[j])
+        return scale[i].value * float(row[i]) - relative.shared * scale[j].value * float(row[j])
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
         """Write the name of the relative displacement."""
@@ -178,36 +184,36 @@ class TwoBodyModel(OneCoordinateModel):
         reference_phrase = f" relative to {other}" if relative.shared or self.mechanism.coordinates[i].body else ""
         step.add_text(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{reference_phrase}{origin}.")
         step.close()
-        frame = relative.words.frame if self.kept else f"{relative.words.zero}, so"
-        relative.called = name.name
+        frame = relative.words.frame if self.conserved_momentum else f"{relative.words.zero}, so"
+        relative.coordinate_name = name.name
         relative.recoils = f"{frame} the velocity of {other} {self.towards(relative.other)} is"
 
     @property
-    def kept(self) -> Polynomial:
+    def conserved_momentum(self) -> Polynomial:
         """Return the conserved momentum of the two bodies, from the initial rates."""
         relative = self._relative
-        return relative.momentum({i: self.first(i) for i in (relative.other, *relative.free)})
+        return relative.momentum({i: self.initial_rate(i) for i in (relative.other, *relative.free)})
 
     # ---- what both share
 
     def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
         """Write a displacement, velocity or acceleration common to both bodies, from the momentum, and return it."""
-        if kind in self._told:
-            return self._told[kind]
+        if kind in self._written_quantities:
+            return self._written_quantities[kind]
         shared, both, _ = self._relative.masses
         mark = self.setting.subscript_of(self.mechanism.coordinates[self._relative.other].body)
         step, name = self.book.begin_step("momentum"), self.book.fresh(kind, mark)
-        left = shared * Polynomial.of(name) + both * self.along(kind)
+        left = shared * Polynomial.from_expression(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
         equation = step.result(name, solve_linear(left - total, name.name), unit)
         whose = f"of {self._partner()} {self.towards(self._relative.other)}"
         step.add_text(f"{said} ${name.latex()}$ {whose}: {law}, so {equation}.")
         step.close()
-        self._told[kind] = Polynomial.of(name)
-        return self._told[kind]
+        self._written_quantities[kind] = Polynomial.from_expression(name)
+        return self._written_quantities[kind]
 
     @cached_property
-    def _told(self) -> dict[str, Polynomial]:
+    def _written_quantities(self) -> dict[str, Polynomial]:
         return {}
 
     def _partner(self) -> str:
@@ -217,12 +223,12 @@ class TwoBodyModel(OneCoordinateModel):
         """Return the displacement of a coordinate, m: the relative one, or that of both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("s")
-        total = self.kept
+        total = self.conserved_momentum
         if total:
-            total = total * Polynomial.of(self.clock())
+            total = total * Polynomial.from_expression(self.moment_time())
         if not total and not self.along("s"):
             return NIL
-        text = self._relative.words.drifts if self.kept else self._relative.words.still
+        text = self._relative.words.drifts if self.conserved_momentum else self._relative.words.zero_momentum_sentence
         text = f"{text}; with the displacement"
         return self._balanced("s", METRES, total, text)
 
@@ -230,9 +236,11 @@ class TwoBodyModel(OneCoordinateModel):
         """Return the velocity of a coordinate, m/s: the relative one, or that common to both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("v")
-        if not self.kept and not self.along("v"):
+        if not self.conserved_momentum and not self.along("v"):
             return NIL
-        return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
+        return self._balanced(
+            "v", SPEED, self.conserved_momentum, f"{self._relative.words.conserved}; with the velocity"
+        )
 
     def acceleration(self, i: int) -> Polynomial:
         """Return the acceleration of a coordinate, m/s²: the relative one, or that common to both bodies."""

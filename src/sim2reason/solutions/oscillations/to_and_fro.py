@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.simulation.trace import Trace
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import reduced_quotient
-from sim2reason.solutions.algebra.functions import PI, Call, Power, summed
+from sim2reason.solutions.algebra.functions import PI, Call, Power, sum_formulas
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.laws.directions import later_words
@@ -23,14 +23,14 @@ from sim2reason.solutions.writing.notation import ACCELERATION, METRES, NEWTONS,
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
 
-def tell_first_move(model: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:
+def write_first_move(model: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:
     """Write the initial direction of a frictionless motion from rest, from the net force at the start."""
     (i,), book = motion.free, model.book
-    if isinstance(motion, RelativeMotion) or any(motion.laws.slip_directions.values()) or model.first(i):
+    if isinstance(motion, RelativeMotion) or any(motion.laws.slip_directions.values()) or model.initial_rate(i):
         return
     load, who = motion.load(i), model.mover_phrase(i)
     forward = load.value(motion.givens) > 0.0
-    size, towards = (load if forward else load.scaled(-1.0)).factored(), model.towards(i, forward=forward)
+    size, towards = (load if forward else load.scale(-1.0)).factored(), model.towards(i, forward=forward)
     step = book.begin_step("verify")
     if book.is_hidden(size):
         step.add_text(f"{capitalized(who)} first moves {towards}.")
@@ -42,9 +42,14 @@ def tell_first_move(model: LinearMotionModel, motion: LinearMotion | RelativeMot
     step.close()
 
 
-def told_first_rest(model: LinearMotionModel, oscillation: HarmonicOscillation, span: float, name: Symbol) -> Symbol:
+def write_first_rest(model: LinearMotionModel, oscillation: HarmonicOscillation, span: float, name: Symbol) -> Symbol:
     """Write when the velocity is first zero, `span` seconds after the start; return the `name` of that time."""
-    book, rate, begun, rest = model.book, oscillation.angular_frequency, oscillation.begun, oscillation.equilibrium
+    book, rate, begun, rest = (
+        model.book,
+        oscillation.angular_frequency,
+        oscillation.sine_coefficient,
+        oscillation.equilibrium,
+    )
     step, phase = book.begin_step("time"), rate * name
     velocity = rest * rate * Call("sin", phase) + oscillation.first.expression() * Call("cos", phase)
     who, law = model.mover_phrase(oscillation.motion.free[0]), step.law(velocity, ZERO)
@@ -71,7 +76,7 @@ def told_first_rest(model: LinearMotionModel, oscillation: HarmonicOscillation, 
     return name
 
 
-def tell_beyond(
+def write_rest_beyond(
     model: LinearMotionModel,
     oscillation: HarmonicOscillation,
     turning: Expression,
@@ -112,14 +117,14 @@ def _tell_sign(model: LinearMotionModel, rest: Expression, sign: str, reached: t
     step.close()
 
 
-def tell_rest_only_later(
+def write_rest_later(
     book: SolutionBuilder, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool
 ) -> None:
     """Write that a half-oscillation, of duration `formula` or symbol `half`, takes longer than the time `left`."""
     if book.in_symbols:
         return
     if book.is_hidden(formula) or book.is_hidden(left):
-        book.afterwards.append(lambda: tell_rest_only_later(book, formula, left, half, again=again))
+        book.afterwards.append(lambda: write_rest_later(book, formula, left, half, again=again))
         return
     step = book.begin_step("verify")
     record_inequality(book, step, left, ZERO)
@@ -176,10 +181,10 @@ def _hanging(motion: LinearMotion) -> Iterator[_HangingBody]:
         names = [n for n in row.zero.names() if n[0] in "TNSf" and n[1:].isdigit()]
         if len(names) != 1 or names[0][0] != "T":
             continue
-        pull, mass = row.forces.without(names), row.inertia.coefficient(f"q{k}")
+        pull, mass = row.forces.terms_without(names), row.inertia.coefficient(f"q{k}")
         along, weight = row.forces.coefficient(names[0]).number or 0.0, pull.value(motion.givens)
-        if mass and not row.inertia.without((f"q{k}",)) and along * weight < 0.0:
-            falling = reduced_quotient(pull if weight > 0.0 else pull.scaled(-1.0), mass)
+        if mass and not row.inertia.terms_without((f"q{k}",)) and along * weight < 0.0:
+            falling = reduced_quotient(pull if weight > 0.0 else pull.scale(-1.0), mass)
             yield _HangingBody(k, int(names[0][1:]), mass.factored(), falling)
 
 
@@ -223,19 +228,19 @@ def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
 class BackAndForthTravel(MotionPart):
     """A motion back and forth between successive values of a free coordinate."""
 
-    way: LinearMotionModel
+    motion_model: LinearMotionModel
     places: Sequence[Expression]
 
     def path(self, body: str) -> Expression:
         """Return the total distance that a body travels, m."""
-        return summed(self.paths(body))
+        return sum_formulas(self.paths(body))
 
     def paths(self, body: str) -> Sequence[Expression]:
         """Return the distances, m, that a body travels between successive positions, one for each interval."""
-        own, book, distances = self.way.moving([body]), self.way.book, list[Expression]()
-        if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
+        own, book, distances = self.motion_model.moving([body]), self.motion_model.book, list[Expression]()
+        if len(own) != 1 or len(self.motion_model.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")
-        (part,) = self.way.motion.ratios[own[0]].values()
+        (part,) = self.motion_model.motion.ratios[own[0]].values()
         for one, other in pairwise(self.places):
             displacement = other - one
             length = displacement if book.value(displacement) >= 0.0 else -displacement
@@ -250,14 +255,14 @@ class FrictionTravel(BackAndForthTravel):
         """Return the kinetic friction µN on a body, for its work along the whole path; zero for other forces."""
         if kind != "f":
             return super().force(kind, name)
-        newton = self.way.newton
-        number = next(n for n, face in enumerate(self.way.mechanism.faces) if face.subject == name)
+        newton = self.motion_model.newton
+        number = next(n for n, face in enumerate(self.motion_model.mechanism.faces) if face.subject == name)
         row = newton.normal(number)
-        normal_force = (row.inertia - row.forces.without((f"N{number}",))).substitute(
-            {f"q{k}": NIL for k in self.way.motion.ratios}
+        normal_force = (row.inertia - row.forces.terms_without((f"N{number}",))).substitute(
+            {f"q{k}": NIL for k in self.motion_model.motion.ratios}
         )
         return newton.coefficient(number) * normal_force
 
     def slipped(self, body: str) -> Polynomial:
         """Return the length of the whole path on the surface, m."""
-        return Polynomial.of(self.path(body))
+        return Polynomial.from_expression(self.path(body))

@@ -23,14 +23,14 @@ from sim2reason.solutions.phases.extremes import (
     ACCUMULATION_RATES,
     PhaseInterval,
     asked_time,
+    end_sentence,
     moment_words,
     phase_intervals,
     rate_formulas,
     rate_of,
-    refined,
-    tell_end,
-    tell_problem,
+    refine_zero,
     value_of,
+    write_problem,
 )
 from sim2reason.solutions.phases.forces import ForceSymbols, initial_rates, write_jump
 from sim2reason.solutions.phases.steady import SteadyPhase, prune_steps, with_used_contacts
@@ -39,9 +39,9 @@ from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, In
 from sim2reason.solutions.writing.notation import DEGREES, NEWTONS, SECONDS, latex, split_name, unit_of_quantity
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-NOTHING = 1e-12  # in SI units: tolerance of zero
+ZERO_TOLERANCE = 1e-12  # in SI units: tolerance of zero
 WIDTH = 2e-3  # half-width of the search for an extreme value, relative to the time of the question
-ASKED = "the moment asked about"
+QUESTION_MOMENT = "the moment asked about"
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
 )
@@ -132,7 +132,7 @@ class IntegratedPhases:
             self.book.reserve(name)
             self.book.state_given(name, value, unit)
         if self.setting.query.kind == "extremum" and last:
-            self.time = refined(inner, formulas[-1], self.time, WIDTH * self.setting.time)
+            self.time = refine_zero(inner, formulas[-1], self.time, WIDTH * self.setting.time)
             stretch = replace(stretch, ends=self.time)
         until = locate_condition(inner, formulas, stretch.segment.start, stretch.ends)
         names, forces = self._ended(inner, stretch)
@@ -140,7 +140,7 @@ class IntegratedPhases:
             self._announce(happens)
         if inner.steady and not self._adds_up:
             start = self._begin, self._places, self._rates
-            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or ASKED)
+            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or QUESTION_MOMENT)
         elif not self._integrates:
             raise UnsolvedError("accelerations change during a phase")
         else:
@@ -152,7 +152,7 @@ class IntegratedPhases:
     def _announce(self, happens: str) -> None:
         """Write the heading of a phase."""
         phases, number = self.book.phases, self.book.phase
-        phases.append(Phase(phases[-1].ends if phases else "the start", happens or ASKED))
+        phases.append(Phase(phases[-1].ends if phases else "the start", happens or QUESTION_MOMENT))
         step = self.book.begin_step("phase")
         step.add_text(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()
@@ -180,7 +180,7 @@ class IntegratedPhases:
     def _inner(self, segment: Segment) -> PhaseEquations:
         """Return the equations of a segment, whose symbols have the values in the middle of the segment."""
         draft = self.book.copy()
-        equations = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
+        equations = PhaseEquations(self.setting, draft, segment, self.names, self._forces.force_symbols(segment))
         for name, values in equations.sampled(amid(self.setting, segment).times).items():
             if name not in draft.values and np.isfinite(values[0]):
                 draft.set_value(name, float(values[0]))
@@ -217,7 +217,7 @@ class IntegratedPhases:
         name = self.book.fresh(base, ",".join(part for part in (mark, str(self.book.phase + 1)) if part))
         value = float(sampled[symbol.name][0])
         if not isnan(value):  # the engine does not record the forces of all constraints
-            self.book.set_value(name.name, value if abs(value) > NOTHING else 0.0, self.book.unit_in_text(unit))
+            self.book.set_value(name.name, value if abs(value) > ZERO_TOLERANCE else 0.0, self.book.unit_in_text(unit))
         return name
 
     # ---- numerical integration
@@ -254,10 +254,10 @@ class IntegratedPhases:
         if introduced:
             step.add_text(f"Let {join_words([part.replace('$ ', '$ be ', 1) for part in introduced])}.")
         letter = "r" if self.mechanism.attractions else r"\ell"
-        tell_problem(self.book, step, integration, first=not self.book.phase, letter=letter)
+        write_problem(self.book, step, integration, first=not self.book.phase, letter=letter)
         step.integrate(integration)
         step.close()
-        self._composed[self.book.steps[-1].id] = lambda used: tell_end(self.book, integration, happens, used)
+        self._composed[self.book.steps[-1].id] = lambda used: end_sentence(self.book, integration, happens, used)
 
     @property
     def _adds_up(self) -> bool:

@@ -27,7 +27,7 @@ from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 SAMPLES = 2000  # instants of a phase at which a condition is evaluated
-NOTHING = 1e-12  # in SI units: tolerance of zero
+ZERO_TOLERANCE = 1e-12  # in SI units: tolerance of zero
 ZERO_RTOL = 1e-6  # tolerance at the end of a phase, relative to the largest value of a condition
 EDGE_FRACTION = 1e-4  # fraction of a phase at both ends in which sign changes are ignored
 
@@ -49,7 +49,7 @@ def event_condition(equations: PhaseEquations, event: Event) -> tuple[Expression
 def _collision(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     m = equations.mechanism
     number = next(n for n, meeting in enumerate(m.meetings) if set(meeting.names) == set(event.subjects))
-    gap = equations.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).gap)
+    gap = equations.motion.read_recorded(lambda a: a.separation(a.mechanism.meetings[number]).gap)
     called = [equations.setting.display_name(name) for name in event.subjects]
     return gap.expression(), f"{join_words(called)} collide" if len(called) > 1 else f"{called[0]} hits the surface"
 
@@ -105,7 +105,7 @@ def _border(phrase: str) -> Callable[[PhaseEquations, Event], tuple[Expression, 
             if force.body != body or force.region is None:
                 continue
             for index in range(len(_margins(equations.motion.assemblies[0], number))):
-                margin = equations.motion.both(lambda a, n=number, p=index: _margins(a, n)[p])
+                margin = equations.motion.read_recorded(lambda a, n=number, p=index: _margins(a, n)[p])
                 sizes.append((abs(equations.book.value(margin.expression())), margin))
         return min(sizes, key=lambda each: each[0])[
             1
@@ -125,7 +125,7 @@ def _burnt(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     here, there = equations.lexicon.mechanism.burns[0], equations.lexicon.twin.burns[0]
     rate = equations.motion.number(DualValue(here.rate, there.rate))
     fuel = equations.motion.number(DualValue(here.rate * here.until, there.rate * there.until))
-    return (rate * Polynomial.of(equations.names.time) - fuel).expression(), "the fuel is used up"
+    return (rate * Polynomial.from_expression(equations.names.time) - fuel).expression(), "the fuel is used up"
 
 
 EVENTS: Mapping[str, Callable[[PhaseEquations, Event], tuple[Expression, str]]] = {
@@ -168,7 +168,7 @@ def _distance(equations: PhaseEquations, moment: Moved | Away) -> Expression:
 def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
     velocity = equations.kinematic_vector("velocity", moment.name)
     moving = [rate for rate in equations.names.rates if any(rate.name in part.names() for part in velocity)]
-    return [*(moving if len(moving) == 1 else []), signed(velocity)]
+    return [*(moving if len(moving) == 1 else []), signed_magnitude(velocity)]
 
 
 def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> list[Expression]:
@@ -208,7 +208,7 @@ def _natural(equations: PhaseEquations, moment: NaturalLength) -> Expression:
     return (equations.length(moment.name) - equations.law(moment.name, "length")).expression()
 
 
-def _turned(equations: PhaseEquations, moment: TurnedThrough) -> Expression:
+def _turned_condition(equations: PhaseEquations, moment: TurnedThrough) -> Expression:
     name = given_symbol(equations, r"\beta", np.radians(moment.value), DEGREES)
     return Absolute(equations.names.place(equations.hinge(moment.name)).expression()) - name
 
@@ -233,7 +233,7 @@ MOMENTS: Mapping[type[Moment], Callable[..., Expression | list[Expression]]] = {
     MostStretched: _spring_rate,
     MostCompressed: _spring_rate,
     NaturalLength: _natural,
-    TurnedThrough: _turned,
+    TurnedThrough: _turned_condition,
     Deflected: _deflected,
 }
 
@@ -246,7 +246,7 @@ def given_symbol(equations: PhaseEquations, base: str, value: float, unit: str) 
     return name
 
 
-def signed(parts: tuple[Polynomial, ...]) -> Expression:
+def signed_magnitude(parts: tuple[Polynomial, ...]) -> Expression:
     """Return the only nonzero component of a vector, with its sign; else the magnitude of the vector."""
     kept = [part for part in parts if part]
     return kept[0].factored() if len(kept) == 1 else vector_magnitude(parts)
@@ -275,7 +275,7 @@ def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], 
     for formula in formulas:
         values = array_values(formula, known)
         last, before = float(values[-1]), values[:-1]
-        if np.isfinite(values).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), NOTHING):
+        if np.isfinite(values).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), ZERO_TOLERANCE):
             rises = 1 if before[-1] < 0.0 else -1
             edge = max(2, int(EDGE_FRACTION * SAMPLES))
             signs = np.sign(before[edge:-edge])

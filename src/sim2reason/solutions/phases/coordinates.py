@@ -7,7 +7,7 @@ from math import atan2, pi
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Coordinate, Mechanism
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.scenes.dsl.vectors import dot, inner, minus
+from sim2reason.scenes.dsl.vectors import dot, inner, subtract_triples
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.equations_of_motion import Names
@@ -188,7 +188,7 @@ def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
         return None
     metre = parse_unit("m")
     lengths = [
-        Polynomial.of(Symbol(given.symbol))
+        Polynomial.from_expression(Symbol(given.symbol))
         for given in lexicon.givens.values()
         if parse_unit(given.parameter.measure.unit).factor_to(metre) is not None
     ]
@@ -225,7 +225,7 @@ def _hinge(setting: ProblemContext, k: int) -> _Choice:
     who, mark = setting.display_name(coordinate.body), setting.subscript_of(coordinate.body)
     one, other = _deflection(setting.lexicon.mechanism, k), _deflection(setting.lexicon.twin, k)
     if one is None or other is None or setting.mechanism.forces:
-        return _turned(setting, coordinate)
+        return _choose_turned_angle(setting, coordinate)
     (here, turn), (there, _) = one, other
     side = 1.0 if here >= 0.0 else -1.0
     description = f"the angle from the downward vertical through the axle to {_line(who)}"
@@ -233,15 +233,15 @@ def _hinge(setting: ProblemContext, k: int) -> _Choice:
         origin = setting.lexicon.read(DualValue(abs(here), abs(there)))
     except UnreadError:
         origin = NIL
-    if origin.symbol is not None and origin == Polynomial.of(origin.symbol):
+    if origin.symbol is not None and origin == Polynomial.from_expression(origin.symbol):
         return _Choice(DEFLECTION, origin, side * turn, description, mark)
     if abs(here) < DIRECTION_TOLERANCE and abs(there) < DIRECTION_TOLERANCE:
         sense = -1.0 if coordinate.speed * turn < 0.0 else 1.0
         return _Choice(DEFLECTION, NIL, sense * turn, description, mark)
-    return _turned(setting, coordinate)
+    return _choose_turned_angle(setting, coordinate)
 
 
-def _turned(setting: ProblemContext, coordinate: Coordinate) -> _Choice:
+def _choose_turned_angle(setting: ProblemContext, coordinate: Coordinate) -> _Choice:
     """Choose the angle turned, positive in the direction of the initial rotation."""
     speeds = [c.speed for c in setting.mechanism.coordinates if c.kind == "hinge"]
     sense = -1.0 if max(speeds, key=abs) < 0.0 else 1.0  # one sense for all
@@ -270,7 +270,7 @@ def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
     pivot = frames[bodies[0].name].hinges[0].pivot
     assert pivot is not None
     mass = sum(body.mass for body in bodies)
-    offsets = [(body.mass / mass, minus(frames.center(body.name).place, pivot)) for body in bodies]
+    offsets = [(body.mass / mass, subtract_triples(frames.center(body.name).place, pivot)) for body in bodies]
     x, z = (sum(share * float(offset[n]) for share, offset in offsets) for n in (0, 2))
     if x * x + z * z < DIRECTION_TOLERANCE * DIRECTION_TOLERANCE:
         return None

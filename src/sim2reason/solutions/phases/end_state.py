@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
 from sim2reason.simulation.quantities.subjects.interactions import members
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiply_factors
 from sim2reason.solutions.algebra.functions import Absolute, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS, Components, VectorName, write_answer
@@ -73,16 +73,16 @@ class EndState(StraightMotion):
         if own:
             return super().component(kind, body, way)
         return total(
-            part.scaled(w) for part, w in zip(self.vector(kind, body), way, strict=True) if abs(w) > COMPONENT_ATOL
+            part.scale(w) for part, w in zip(self.vector(kind, body), way, strict=True) if abs(w) > COMPONENT_ATOL
         )
 
-    def lone(self, kind: str, body: str) -> Polynomial | None:
+    def line_component(self, kind: str, body: str) -> Polynomial | None:
         """Return a vector's component along the only straight line on which a body moves; None if there is no line."""
         moving = self.moving([body])
         hinged = any(self.mechanism.coordinates[k].kind == "hinge" for k in moving)
-        return None if hinged else super().lone(kind, body)
+        return None if hinged else super().line_component(kind, body)
 
-    def apart(self, one: str, other: str) -> Components:
+    def initial_separation(self, one: str, other: str) -> Components:
         """Return the vector from one body to another at the end, by component."""
         places = self._equations.kinematic_vector("place", one), self._equations.kinematic_vector("place", other)
         x, y, z = (b - a for a, b in zip(*places, strict=True))
@@ -110,7 +110,7 @@ class EndState(StraightMotion):
     def radius(self, body: str) -> Polynomial:
         """Return 1, so that quantities of the rim are those of the angle of rotation."""
         del body
-        return Polynomial.of(1.0)
+        return Polynomial.from_expression(1.0)
 
     def rim_inertia(self, body: str) -> Polynomial:
         """Return the moment of inertia about the axis through the centre of mass."""
@@ -121,7 +121,7 @@ class EndState(StraightMotion):
         axis = max(range(3), key=lambda n: abs(hinge.axis[n]))
         return self.setting.lexicon.read(DualValue(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
 
-    def tell_arcs(self, body: str) -> None:
+    def write_arcs(self, body: str) -> None:
         """Write nothing, since the angle itself is a coordinate."""
         del body
 
@@ -158,7 +158,7 @@ def _vector(parts: Components, target: Target) -> Expression:
     if target.sense is None:
         return vector_magnitude(parts)
     pairs = zip(parts, target.sense.vector, strict=True)
-    return total(part.scaled(w) for part, w in pairs if part and w).factored()
+    return total(part.scale(w) for part, w in pairs if part and w).factored()
 
 
 def _kinetic(equations: PhaseEquations, target: Target) -> Expression:
@@ -167,7 +167,7 @@ def _kinetic(equations: PhaseEquations, target: Target) -> Expression:
         raise UnsolvedError("its kinetic energy has a part of rotation")
     mass = lexicon.read(DualValue(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
     parts = [part.expression() for part in equations.kinematic_vector("velocity", body) if part]
-    return multiplied(HALF, multiplied(mass.expression(), sum_of_squares(parts)))
+    return multiply_factors(HALF, multiply_factors(mass.expression(), sum_of_squares(parts)))
 
 
 def _extension(equations: PhaseEquations, target: Target) -> Expression:
@@ -187,7 +187,7 @@ def _tension(equations: PhaseEquations, target: Target) -> Expression:
     return equations.force("row", rows[0]).expression()
 
 
-def _turned(equations: PhaseEquations, target: Target) -> Expression:
+def _angle_turned(equations: PhaseEquations, target: Target) -> Expression:
     return Absolute(equations.names.place(equations.hinge(target.subject)).expression())
 
 
@@ -213,7 +213,7 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
     "displacement": lambda equations, target: _vector(equations.displacement(target.subject), target),
     "acceleration": lambda equations, target: _vector(equations.acceleration(target.subject), target),
     "kinetic energy": _kinetic,
-    "angle turned": _turned,
+    "angle turned": _angle_turned,
     "distance": _distance,
     "extension": _extension,
     "angular velocity": _angular,
@@ -241,5 +241,5 @@ def write_quantity(setting: ProblemContext, book: SolutionBuilder, end: PhaseEqu
         raise UnsolvedError("the question asks for no quantity")
     if target.quantity in GOALS:
         return GOALS[target.quantity].write(target, state)
-    formula, noun = formula_of(end, target), VectorName.of(target.quantity)
+    formula, noun = formula_of(end, target), VectorName.for_quantity(target.quantity)
     return write_answer(state, formula, noun, "", f"the {target.quantity}")

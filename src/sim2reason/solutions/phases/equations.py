@@ -68,7 +68,7 @@ class PhaseEquations:
 
     def force(self, of: str, number: int) -> Polynomial:
         """Return the force of a constraint, or the normal force or friction on a face."""
-        return Polynomial.of(self.forces[f"{of}{number}"])
+        return Polynomial.from_expression(self.forces[f"{of}{number}"])
 
     # ---- equations
 
@@ -77,7 +77,8 @@ class PhaseEquations:
         """Return the equations of motion of all coordinates, then the constraints and the forces on faces."""
         size = len(self.mechanism.coordinates)
         loads = [
-            self.motion.load(k) - total(self.motion.pull(n, k) * self.force("row", n) for n in self.rows)
+            self.motion.load(k)
+            - total(self.motion.constraint_derivative(n, k) * self.force("row", n) for n in self.rows)
             for k in range(size)
         ]
         contacts: list[tuple[Expression, Expression]] = []
@@ -87,9 +88,9 @@ class PhaseEquations:
         equations: list[tuple[Expression, Expression]] = []
         for k in range(size):
             sense = self.names.senses[k]
-            left, right = self._reduced(self.motion.inertia(k).scaled(sense), loads[k].scaled(sense))
+            left, right = self._reduced(self.motion.inertia(k).scale(sense), loads[k].scale(sense))
             equations.append((left.collected(accelerations), right.expression()))
-        pairs = (self._reduced(*self.motion.held(row)) for row in self.rows)
+        pairs = (self._reduced(*self.motion.constraint_sides(row)) for row in self.rows)
         equations += [(left.expression(), right.expression()) for left, right in pairs]
         return [Relation(*pair, "law") for pair in (*equations, *contacts) if pair[0] != pair[1]]
 
@@ -128,8 +129,8 @@ class PhaseEquations:
             equations: list[tuple[Expression, Expression]] = [(still.expression(), ZERO)]
         else:
             normal = self.force("normal", face)
-            pressing = self.pressing(face)
-            friction = (self._coefficient(face) * normal).scaled(float(-side))
+            pressing = self.contact_force(face)
+            friction = (self._coefficient(face) * normal).scale(float(-side))
             equations = [(normal.expression(), pressing.expression())]
         for k, part in parts.items():
             loads[k] = loads[k] + part * friction
@@ -149,10 +150,10 @@ class PhaseEquations:
         """Return the indices of the coordinates whose rates enter the slip velocity."""
         return [self.mechanism.number[name] for name, _ in self.mechanism.faces[face].slip]
 
-    def pressing(self, face: int) -> Polynomial:
+    def contact_force(self, face: int) -> Polynomial:
         """Return the normal force on a face from Newton's second law."""
-        lifted = total(self.motion.lifted(n, face) * self.force("row", n) for n in self.rows)
-        return self.motion.pressing(face) + lifted
+        lifted = total(self.motion.normal_force_contribution(n, face) * self.force("row", n) for n in self.rows)
+        return self.motion.unconstrained_normal_force(face) + lifted
 
     def slip(self, face: int) -> Polynomial:
         """Return the slip velocity of the surfaces at a face, m/s."""
@@ -167,12 +168,14 @@ class PhaseEquations:
 
     def kinetic_friction(self, face: int) -> Polynomial:
         """Return the coefficient of kinetic friction times the normal force."""
-        return self._coefficient(face) * self.pressing(face)
+        return self._coefficient(face) * self.contact_force(face)
 
     def friction_bound(self, face: int) -> Polynomial:
         """Return the coefficient of static friction times the normal force."""
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
-        return self.motion.number(DualValue(faces[0].static_friction, faces[1].static_friction)) * self.pressing(face)
+        return self.motion.number(DualValue(faces[0].static_friction, faces[1].static_friction)) * self.contact_force(
+            face
+        )
 
     def _slip(self, face: int, place: int) -> Polynomial:
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]

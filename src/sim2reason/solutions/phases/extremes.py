@@ -15,7 +15,15 @@ from sim2reason.questions.moments import Happening
 from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import Event, Trace
-from sim2reason.solutions.algebra.expressions import DIGITS, Expression, Number, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import (
+    DIGITS,
+    Expression,
+    Number,
+    Sum,
+    Symbol,
+    multiply_factors,
+    sum_terms,
+)
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import Components
@@ -67,7 +75,7 @@ def _dashpot(equations: PhaseEquations, name: str) -> Expression:
     law = equations.mechanism.line[name].law
     assert isinstance(law, Elastic)
     rate = equations.length(name, "rate").expression()
-    return multiplied(equations.law(name, "damping").expression(), Power(rate, 2))
+    return multiply_factors(equations.law(name, "damping").expression(), Power(rate, 2))
 
 
 def _friction(equations: PhaseEquations, name: str) -> Expression:
@@ -75,7 +83,7 @@ def _friction(equations: PhaseEquations, name: str) -> Expression:
     if not equations.rough.get(face, 0):
         return Number(0.0)
     force = equations.kinetic_friction(face).expression()
-    return multiplied(force, Absolute(equations.slip(face).expression()))
+    return multiply_factors(force, Absolute(equations.slip(face).expression()))
 
 
 def _angle(equations: PhaseEquations, name: str) -> Expression:
@@ -122,7 +130,7 @@ def rate_formulas(equations: PhaseEquations, functional: str, name: str) -> list
     return EXTREME_RATES[quantity](equations, name)
 
 
-def refined(equations: PhaseEquations, formula: Expression, near: float, width: float) -> float:
+def refine_zero(equations: PhaseEquations, formula: Expression, near: float, width: float) -> float:
     """Return the zero of a formula near an instant, s, in the motion of the engine.
 
     Raises:
@@ -188,7 +196,7 @@ MAX_EQUATION_LENGTH = 900  # maximum length of the LaTeX of an equation that is 
 ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
-def tell_problem(
+def write_problem(
     book: SolutionBuilder, step: StepBuilder, integration: Integration, *, first: bool, letter: str
 ) -> None:
     """Write the equations and initial values of a phase; repeated square roots get symbols of their own."""
@@ -210,7 +218,7 @@ def tell_problem(
         step.add_text(rf"Along with them, $\dot{{{integral.name}}} = {rate}$ from ${begun}$ is integrated.")
 
 
-def tell_end(book: SolutionBuilder, integration: Integration, end_phrase: str, used: frozenset[str]) -> str:
+def end_sentence(book: SolutionBuilder, integration: Integration, end_phrase: str, used: frozenset[str]) -> str:
     """Return the sentence about the end of a phase, with the values that later steps use."""
     condition = integration.until
     kept = [name for _, name in integration.ends if name in used]
@@ -233,7 +241,7 @@ def tell_end(book: SolutionBuilder, integration: Integration, end_phrase: str, u
 def _equation(formula: Expression) -> str:
     """Return the equation that a formula is zero, in LaTeX; a symbol that is subtracted becomes the right side."""
     if isinstance(formula, Sum) and isinstance(last := -formula.terms[-1], Symbol):
-        return f"${reduce(added, formula.terms[:-1]).latex()} = {last.name}$"
+        return f"${reduce(sum_terms, formula.terms[:-1]).latex()} = {last.name}$"
     return f"${formula.latex()} = 0$"
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.evaluated import NumericRoot
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, sum_terms
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.algebra.root_finding import solved_for, substitute
 from sim2reason.solutions.closed_forms import ClosedFormError, simplified_form
@@ -30,7 +30,7 @@ def explicit_formulas(
     `values` holds the values of all names.
     """
     chain: list[tuple[str, Expression]] = []
-    waiting = [added(law.left, -law.right) for law in laws] if len(laws) <= MAX_SOLVED_LAWS else []
+    waiting = [sum_terms(law.left, -law.right) for law in laws] if len(laws) <= MAX_SOLVED_LAWS else []
     while waiting:
         unknown = [[name for name in names if name in expression.symbols()] for expression in waiting]
         index = min(range(len(waiting)), key=lambda n: len(unknown[n]) or len(names) + 1)
@@ -73,7 +73,7 @@ class ForceSymbols:
         self._symbols: dict[str, Symbol] = {}
         self._untold: list[str] = []
 
-    def of(self, segment: Segment) -> dict[str, Symbol]:
+    def force_symbols(self, segment: Segment) -> dict[str, Symbol]:
         """Return the symbols of the forces in a segment, by ``row``, ``normal`` or ``friction`` and their number."""
         symbols: dict[str, Symbol] = {}
         kinds, acting = segment.kinds, segment.found.mode.acting
@@ -139,14 +139,14 @@ def _speed(lexicon: Lexicon, speed: DualValue) -> Expression:
             return lexicon.read(speed * length).expression() / lexicon.read(length).expression()
         except UnreadError:
             continue
-    raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")
+    raise UnsolvedError(f"the initial rate {speed.value:.6g} is no simple function of the numbers in the text")
 
 
 IMPACT_VELOCITY_RTOL = 1e-8  # relative tolerance of the velocities after an impact to those of the engine
 VELOCITY_CHANGE_RTOL = 1e-9  # relative: a velocity that changes by less at an event is continuous
 
 
-class Jump:
+class VelocityJump:
     """The relations between the velocities just before and just after an event."""
 
     def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
@@ -162,24 +162,27 @@ class Jump:
         motion, names = self._before.motion, self._before.names
         size, pairs = range(len(self._after)), self.pairs
         changes = [
-            (Polynomial.of(self._after[k]) - Polynomial.of(names.rates[k])).scaled(names.senses[k]) for k in size
+            (Polynomial.from_expression(self._after[k]) - Polynomial.from_expression(names.rates[k])).scale(
+                names.senses[k]
+            )
+            for k in size
         ]
         along = [[self._gap(number, k) for k in size] for number in pairs]
-        along += [[motion.pull(row, k).scaled(-1.0) for k in size] for row in rows]
+        along += [[motion.constraint_derivative(row, k).scale(-1.0) for k in size] for row in rows]
         equations: list[tuple[Expression, Expression]] = []
         for k in size:
             sense = names.senses[k]
-            left = total(motion.mass(k, j) * changes[j] for j in size).scaled(sense)
+            left = total(motion.mass(k, j) * changes[j] for j in size).scale(sense)
             right = total(
-                ways[k] * Polynomial.of(impulse) for ways, impulse in zip(along, impulses, strict=True)
-            ).scaled(sense)
+                ways[k] * Polynomial.from_expression(impulse) for ways, impulse in zip(along, impulses, strict=True)
+            ).scale(sense)
             if left or right:
                 equations.append((left.expression(), right.expression()))
-        rates = [Polynomial.of(symbol).scaled(names.senses[k]) for k, symbol in enumerate(self._after)]
+        rates = [Polynomial.from_expression(symbol).scale(names.senses[k]) for k, symbol in enumerate(self._after)]
         for ways, number in zip(along, pairs, strict=False):
             after = total(coefficient * rate for coefficient, rate in zip(ways, rates, strict=True))
             before = total(coefficient * names.rate(k) for k, coefficient in enumerate(ways))
-            equations.append((after.expression(), (self._restitution(number) * before).scaled(-1.0).expression()))
+            equations.append((after.expression(), (self._restitution(number) * before).scale(-1.0).expression()))
         taut = along[len(pairs) :]
         equations += [
             (total(w * rate for w, rate in zip(ways, rates, strict=True)).expression(), ZERO) for ways in taut
@@ -193,7 +196,7 @@ class Jump:
         return [n for n, meeting in enumerate(self._before.mechanism.meetings) if set(meeting.names) in hit]
 
     def _gap(self, number: int, k: int) -> Polynomial:
-        return self._before.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).along.get(k, 0.0))
+        return self._before.motion.read_recorded(lambda a: a.separation(a.mechanism.meetings[number]).along.get(k, 0.0))
 
     def _restitution(self, number: int) -> Polynomial:
         lexicon = self._before.lexicon
@@ -216,7 +219,7 @@ def write_jump(
     if all(abs(a - b) <= VELOCITY_CHANGE_RTOL * largest for a, b in zip(old, new, strict=True)):
         return None
     after = tuple(_fresh(book, rate, value) for rate, value in zip(names.rates, new, strict=True))
-    jump = Jump(before, after, events)
+    jump = VelocityJump(before, after, events)
     rows = [row for row in range(len(segment.kinds)) if _taut(segment, following, row)]
     impulses = [book.fresh("P", str(number + 1)) for _ in (*jump.pairs, *rows)]
     relations = jump.relations(rows, impulses)
@@ -224,7 +227,7 @@ def write_jump(
     for name, value in impulse_values.items():
         book.set_value(name, value, book.unit_in_text(IMPULSE))
     step = book.begin_step("event")
-    step.add_text(_said(jump, impulses))
+    step.add_text(_describe_jump(jump, impulses))
     laws = [step.law(relation.left, relation.right) for relation in relations]
     step.add_text(f"{join_words(laws)}.")
     for symbol in after:
@@ -234,7 +237,7 @@ def write_jump(
     return after
 
 
-def _said(jump: Jump, impulses: Sequence[Symbol]) -> str:
+def _describe_jump(jump: VelocityJump, impulses: Sequence[Symbol]) -> str:
     names = join_words([f"${impulse.name}$" for impulse in impulses])
     whose = f"impulse{'s' if len(impulses) > 1 else ''} {names}"
     if jump.pairs:

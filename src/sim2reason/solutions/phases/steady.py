@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericRoot
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.root_finding import solved_for, substitute
 from sim2reason.solutions.laws.equations_of_motion import Names
@@ -33,10 +33,10 @@ def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str
     text = f"{by}, the accelerations are constant: {join_words([law.latex() for law in laws])}."
     if not results or all(isinstance(law.left, Symbol) for law in laws):
         return text
-    return f"{text} Hence {join_words([_told(r, values[_name(r)]) for r in results])}."
+    return f"{text} Hence {join_words([_write_result(r, values[_name(r)]) for r in results])}."
 
 
-def _told(result: Relation, value: float) -> str:
+def _write_result(result: Relation, value: float) -> str:
     """Return a result in LaTeX as name = formula = value; without the formula if it is only a number."""
     if isinstance(result.right, Number):
         return f"${_name(result)} = {with_unit(value, result.unit)}$"
@@ -119,7 +119,7 @@ CONTACT = "contact"  # kind of the steps about one face
 _NAMED = re.compile(r"\$([^$]*)\$")
 
 
-def tell_contacts(inner: PhaseEquations, book: SolutionBuilder, forces: Mapping[str, Symbol]) -> None:
+def write_contacts(inner: PhaseEquations, book: SolutionBuilder, forces: Mapping[str, Symbol]) -> None:
     """Write for each rough face whether it slips or sticks, the direction of friction, and the symbols."""
     for face, side in inner.rough.items():
         step, who = book.begin_step(CONTACT), inner.setting.display_name(inner.mechanism.faces[face].subject)
@@ -132,7 +132,7 @@ def tell_contacts(inner: PhaseEquations, book: SolutionBuilder, forces: Mapping[
 
 def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Mapping[str, Symbol]) -> str:
     """Return a sentence with the directions of slip and of friction, and the symbol of the normal force."""
-    ways, under = [_way(inner, face, sign) for sign in (side, -side)], _under(inner, face)
+    ways, under = [_slip_direction_words(inner, face, sign) for sign in (side, -side)], _under(inner, face)
     slides, where = ("slips", " at the point of contact") if inner.is_round(face) else ("slides", "")
     normal = f"the normal force on {who} is ${forces[f'normal{face}'].latex()}$."
     if not all(ways):
@@ -142,7 +142,10 @@ def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Map
 
 def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, Symbol]) -> str:
     """Return a sentence that a contact sticks, with the symbol and positive direction of the friction."""
-    direction, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
+    direction, holds = (
+        _slip_direction_words(inner, face, 1),
+        "rolls without slipping" if inner.is_round(face) else "does not slip",
+    )
     counted = f", counted positive {direction}," if direction else ""
     return f"{capitalized(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
 
@@ -160,7 +163,7 @@ def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
     return updated
 
 
-def _way(inner: PhaseEquations, face: int, sense: int) -> str:
+def _slip_direction_words(inner: PhaseEquations, face: int, sense: int) -> str:
     """Return the direction in which a body slips on a face, in words; empty if it has none."""
     m = inner.mechanism
     slides = [(m.number[name], part) for name, part in m.faces[face].slip]
@@ -207,12 +210,12 @@ class SteadyPhase:
         Raises:
             UnsolvedError: the formula contains a force or an acceleration.
         """
-        tell_contacts(self._inner, book, forces)
+        write_contacts(self._inner, book, forces)
         self._accelerate(book, names, forces)
         span = self._last(book, names, formula, said)
         step = book.begin_step(STATE)
         if span != names.time:
-            step.defined(names.time, added(self._begin, span))
+            step.defined(names.time, sum_terms(self._begin, span))
         for k in range(len(names.places)):
             step.defined(names.places[k], self._place(k, names, span))
             step.defined(names.rates[k], self._rate(k, names, span))
@@ -250,7 +253,7 @@ class SteadyPhase:
             formula = substitute(
                 substitute(formula, rate.name, self._rate(k, names, span)), position.name, self._place(k, names, span)
             )
-        formula = substitute(formula, self._names.time.name, added(self._begin, span))
+        formula = substitute(formula, self._names.time.name, sum_terms(self._begin, span))
         if not {*formula.symbols()} <= {*book.values, span.name}:
             raise UnsolvedError("the end of a phase of constant acceleration depends on a force")
         duration = solved_for(span.name, formula, ZERO, {**book.values, span.name: near})
@@ -275,16 +278,18 @@ class SteadyPhase:
         return f"{who} now rolls, which on level ground needs no friction, so all velocities remain constant"
 
     def _place(self, k: int, names: Names, span: Symbol) -> Expression:
-        gained = added(multiplied(self._rates[k], span), self._bent(k, names, multiplied(HALF, Power(span, 2))))
-        return added(self._places[k], gained)
+        gained = sum_terms(
+            multiply_factors(self._rates[k], span), self._bent(k, names, multiply_factors(HALF, Power(span, 2)))
+        )
+        return sum_terms(self._places[k], gained)
 
     def _rate(self, k: int, names: Names, span: Symbol) -> Expression:
-        return added(self._rates[k], self._bent(k, names, span))
+        return sum_terms(self._rates[k], self._bent(k, names, span))
 
     def _bent(self, k: int, names: Names, factor: Expression) -> Expression:
         """Return the acceleration of a coordinate times a factor; zero if the coordinate is not accelerated."""
         zero = self._inner.is_still(k)
-        return ZERO if zero else multiplied(names.accelerations[k], factor)
+        return ZERO if zero else multiply_factors(names.accelerations[k], factor)
 
 
 def _renamed(formula: Expression, names: dict[str, Symbol]) -> Expression:

@@ -14,9 +14,16 @@ from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of
 from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import SMALL, Way
-from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unsupported_reason
+from sim2reason.solutions.swings.angle import SMALL_OSCILLATIONS_LEAD, FormulaMethod
+from sim2reason.solutions.swings.arm import Arm, Piece, single_axle_body
+from sim2reason.solutions.swings.asked import (
+    COMPONENT_LEADS,
+    Ends,
+    by_energy,
+    straight_clause,
+    turns_back,
+    unsupported_reason,
+)
 from sim2reason.solutions.swings.rigid_bodies import AxleForces, small_oscillations, total_angle
 from sim2reason.solutions.writing.notation import (
     ANGULAR_SPEED,
@@ -37,13 +44,13 @@ class Axle(Strategy):
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
-        return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
+        return "" if single_axle_body(mechanism) else "nothing turns about a fixed axle by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if isinstance(setting.query, PeriodQuery):
             return ""
-        return unsupported_reason(setting, _Turning.WAYS)
+        return unsupported_reason(setting, _Turning.METHOD_BY_QUANTITY)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the moment of inertia, the angle, the angular speed and the answer, and return the answer's symbol."""
@@ -62,13 +69,13 @@ class _Turning(AxleForces):
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.arm = Arm(setting, book)
-        self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
-        self.began = book.value(self.first)
+        self.initial_angle, self.launch, self.gravity = self.arm.initial_angle, self.arm.launch, self.arm.gravity
+        self.initial_angle_value = book.value(self.initial_angle)
         moment = setting.query.moment
-        self.now, self.turned, self.turning = self.arm.at(
+        self.moment_angle, self.turned, self.turning = self.arm.at(
             moment.evaluation_time(setting.time) if moment is not None else 0.0
         )
-        self.way = 1.0 if self.arm.at(0.0)[2] >= 0.0 else -1.0
+        self.initial_rate_sign = 1.0 if self.arm.at(0.0)[2] >= 0.0 else -1.0
 
     # ---- what is asked
 
@@ -93,20 +100,22 @@ class _Turning(AxleForces):
     # ---- the laws
 
     @cached_property
-    def natural(self) -> Symbol:
+    def small_oscillation_frequency(self) -> Symbol:
         """Write the angular frequency of small oscillations, √(S g/I) with S = Σ m r, and return its symbol."""
         moment = self.arm.moment
-        size = moment if self.falls else -moment
+        size = moment if self.is_falling else -moment
         formula = Root(size * self.gravity / self.arm.inertia)
-        return self.book.add_step("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
+        return self.book.add_step(
+            "natural", SMALL_OSCILLATIONS_LEAD, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED
+        )
 
     @cached_property
-    def spin(self) -> Expression:
+    def initial_angular_speed(self) -> Expression:
         """Return the angular speed at the start, rad/s."""
         return self.launch
 
     @property
-    def falls(self) -> bool:  # type: ignore[override]
+    def is_falling(self) -> bool:  # type: ignore[override]
         """Return whether the common centre of mass is on the same side of the axle as the first body."""
         return self.book.value(self.arm.moment) > 0.0
 
@@ -116,28 +125,28 @@ class _Turning(AxleForces):
         inertia, moment, g, rate = (
             self.book.value(part) for part in (self.arm.inertia, self.arm.moment, self.gravity, self.launch)
         )
-        lift = abs(moment) + moment * cos(self.began)
+        lift = abs(moment) + moment * cos(self.initial_angle_value)
         return 0.5 * inertia * rate**2 > g * lift
 
-    def _turned(self) -> Expression:
+    def _write_turning_angle(self) -> Expression:
         """Write the angle of the turning point, and return it with its sign."""
         arm, g, rate = self.arm, self.gravity, self.launch
         if rate == ZERO:
-            return -self.first  # as far on the other side
+            return -self.initial_angle  # as far on the other side
         name, step = self.book.fresh(r"\phi", r"\text{max}"), self.book.begin_step("energy")
         inertia, moment = arm.inertia, arm.moment
         law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
         formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
         step.add_text(f"{turns_back(self.setting, arm.noun())} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
-        return -name if self.extreme or self.now < 0.0 else name
+        return -name if self.extreme or self.moment_angle < 0.0 else name
 
     @cached_property
     def rate(self) -> Expression:
         """Write the angular speed at the moment, rad/s, and return it."""
         if isinstance(self.setting.query.moment, AtStart) and not self.extreme:
             return self.launch
-        if self.still:
+        if self.is_at_rest:
             return ZERO
         arm, there = self.arm, self.cosine
         inertia, moment = arm.inertia, arm.moment
@@ -145,7 +154,7 @@ class _Turning(AxleForces):
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = sum_of_squares([self.launch]) + square
-        where = straight(self.setting, below=self.book.value(moment * there) > 0.0)
+        where = straight_clause(self.setting, below=self.book.value(moment * there) > 0.0)
         text = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), where=where)
         step.add_text(f"{text} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
@@ -154,7 +163,7 @@ class _Turning(AxleForces):
     @property
     def _swinging(self) -> bool:
         """Return whether the angular speed follows from conservation of energy: neither zero nor that at the start."""
-        return not self.still and not isinstance(self.setting.query.moment, AtStart)
+        return not self.is_at_rest and not isinstance(self.setting.query.moment, AtStart)
 
     def _energy(self, there: Expression) -> Expression:
         """Return the kinetic energy, in J, at an angle with the given cosine."""
@@ -167,7 +176,7 @@ class _Turning(AxleForces):
         speed = self.size * self.rate
         if not self.vertical:
             return speed
-        rises = self.now * self.turning * self.book.value(self.piece.place) >= 0.0
+        rises = self.moment_angle * self.turning * self.book.value(self.piece.place) >= 0.0
         return (speed if rises else -speed) * self.sine
 
     @property
@@ -179,15 +188,15 @@ class _Turning(AxleForces):
     def ends(self) -> Ends:
         """Return d·Sg/I, the initial angle and Iω₀²/2Sg (S = Σ m r), for the accelerations at both ends of a swing."""
         moment, inertia, rate = self.arm.moment, self.arm.inertia, self.launch
-        torque = (moment if self.falls else -moment) * self.gravity
+        torque = (moment if self.is_falling else -moment) * self.gravity
         excess = inertia * Power(rate, 2) / (2.0 * torque) if rate != ZERO else ZERO
-        return self.size * torque / inertia, self.first if self.falls else PI - self.first, excess
+        return self.size * torque / inertia, self.initial_angle if self.is_falling else PI - self.initial_angle, excess
 
     def _acceleration(self) -> Expression:
         inward, along = self.components
         if self.vertical:
             sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
-            falls = sign * (1.0 if self.falls else -1.0)
+            falls = sign * (1.0 if self.is_falling else -1.0)
             return sign * inward * self.cosine - falls * along * self.sine
         if ZERO in (inward, along):
             return inward + along
@@ -205,11 +214,11 @@ class _Turning(AxleForces):
     def _spinning(self) -> Expression:
         return HALF * self.piece.inertia * Power(self.rate, 2)
 
-    def said(self, quantity: str) -> str:
+    def lead_text(self, quantity: str) -> str:
         """Return the words before the formula of a quantity, with the name of the body if there are several."""
         if quantity == "kinetic energy":
             return f"The kinetic energy of {self.setting.display_name(self.piece.body)}, which turns about the axle, is"
-        return self.said_of_axle() if quantity == "axle force" else super().said(quantity)
+        return self.axle_force_lead() if quantity == "axle force" else super().lead_text(quantity)
 
     def _kinetic(self) -> Expression:
         if len(self.arm.bodies) == 1 and self._swinging:
@@ -259,10 +268,10 @@ class _Turning(AxleForces):
         speed = self.size * self.rate
         return self.piece.mass * self.change(begun, speed)
 
-    WAYS: ClassVar[Mapping[str, Way]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]] = {
         "velocity": ("_velocity", "The speed is the angular speed times the distance from the axle:"),
-        "acceleration": ("_acceleration", BOTH["acceleration"]),
-        "net force": ("_force", BOTH["net force"]),
+        "acceleration": ("_acceleration", COMPONENT_LEADS["acceleration"]),
+        "net force": ("_force", COMPONENT_LEADS["net force"]),
         "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", ""),
         "translational kinetic energy": ("_moving", "The kinetic energy of the motion of the centre of mass is"),

@@ -17,7 +17,7 @@ from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.swings.angle import FormulaMethod
 from sim2reason.solutions.swings.asked import quantity_of
 from sim2reason.solutions.swings.carriage import carriage_system
 from sim2reason.solutions.swings.carriage_angle import TWO
@@ -51,7 +51,7 @@ class OnACarriage(Strategy):
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the time of a large swing"
-        if quantity_of(setting) not in _Asked.WAYS:
+        if quantity_of(setting) not in _Asked.METHOD_BY_QUANTITY:
             return f"no way to the quantity {quantity_of(setting)}"
         known = isinstance(query.moment, MOMENTS) or (isinstance(query, StretchQuery) and query.kind == "extremum")
         if "slack" in setting.earlier_event_kinds:
@@ -98,7 +98,7 @@ class _Asked(CarriageLaws):
         """Write the period of small oscillations, in which arm and carriage swing against each other."""
         self.unloaded()
         book, c = self.book, self.carriage
-        if self.lone:
+        if self.is_single_body:
             text = "The relative motion is that of a body with the reduced mass"
             reduced = book.add_step(
                 "reduced", text, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
@@ -125,9 +125,14 @@ class _Asked(CarriageLaws):
     @property
     def _straight(self) -> bool:
         """Return whether momentum alone gives the velocity of a single swinging body, as at its lowest point."""
-        return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
+        return (
+            self.is_single_body
+            and self.sine == ZERO
+            and self.driving_force == ZERO
+            and ZERO not in (self.rate, self.speed)
+        )
 
-    def said(self, quantity: str) -> str:
+    def lead_text(self, quantity: str) -> str:
         """Return the words before the formula of a quantity, such as *By conservation of momentum, the velocity is*."""
         lead = f"By conservation of momentum, {self.setting.display_name(self.subject)} has the velocity "
         if (
@@ -136,7 +141,7 @@ class _Asked(CarriageLaws):
             or self.vertical
             or not self._straight
         ):
-            return super().said(quantity)
+            return super().lead_text(quantity)
         if quantity == "velocity":
             return f"By conservation of momentum, the velocity of {self.setting.display_name(self.subject)} is"
         return f"{lead}${self._ahead().latex()}$, so its {quantity} is"
@@ -146,7 +151,7 @@ class _Asked(CarriageLaws):
         if self._rides:
             raise UnsolvedError("what rides is asked along the rail")
         up = self._radius * self.rate * self.sine
-        return up if self.now * self.turning >= 0.0 else -up
+        return up if self.moment_angle * self.turning >= 0.0 else -up
 
     def _squared(self) -> Expression:
         if self._rides:
@@ -189,8 +194,8 @@ class _Asked(CarriageLaws):
         if self._rides:
             return self.place
         r = self._radius
-        across, up = r * (self.sine_first - self.signed) - self.place, r * (self.cosine - self.cosine_first)
-        return across if self.angle == -self.first else Root(sum_of_squares([across, up]))
+        across, up = r * (self.sine_first - self.signed_sine) - self.place, r * (self.cosine - self.cosine_first)
+        return across if self.angle == -self.initial_angle else Root(sum_of_squares([across, up]))
 
     def _height(self) -> Expression:
         if self._rides:
@@ -221,22 +226,26 @@ class _Asked(CarriageLaws):
             return self._parts()[1]
         if self._rides:
             return self.carriage_acceleration
-        if self.lone:
+        if self.is_single_body:
             return self._force() / self._weighs
         return Root(sum_of_squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
 
     def _parts(self) -> tuple[Expression, Expression]:
         """Return the components, along the rail and upward, of the acceleration of the subject on the arm."""
         r, bend = self._radius, sum_of_squares([self.rate])
-        turned = self.angular_acceleration * self.cosine + bend * self.signed
+        turned = self.angular_acceleration * self.cosine + bend * self.signed_sine
         up = bend * self.cosine
-        up = up - self.angular_acceleration * self.signed if ZERO not in (self.angular_acceleration, self.sine) else up
+        up = (
+            up - self.angular_acceleration * self.signed_sine
+            if ZERO not in (self.angular_acceleration, self.sine)
+            else up
+        )
         return self.carriage_acceleration - r * turned, r * up
 
     def _force(self) -> Expression:
         if self._rides:
             return self._weighs * self.carriage_acceleration
-        if not self.lone:
+        if not self.is_single_body:
             return self._weighs * self._acceleration()
         weight, rod = self._weighs * self.gravity, self.rod
         if self.sine == ZERO:
@@ -254,11 +263,11 @@ class _Asked(CarriageLaws):
         return mass * (self.gravity - down)
 
     def _rod(self) -> Expression:
-        if self.lone:
+        if self.is_single_body:
             return self.rod
         pulled = self.gravity * self.cosine
         if ZERO not in (self.sine, self.carriage_acceleration):
-            pulled = pulled - self.carriage_acceleration * self.signed
+            pulled = pulled - self.carriage_acceleration * self.signed_sine
         bent = self.moment * sum_of_squares([self.rate])
         return self.mass * pulled + bent
 
@@ -268,7 +277,7 @@ class _Asked(CarriageLaws):
     def _torque(self) -> Expression:
         return self.arm.piece(self.subject).inertia * self.angular_acceleration
 
-    WAYS: ClassVar[Mapping[str, Way]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]] = {
         "velocity": ("_velocity", "From the horizontal and vertical components relative to the ground,"),
         "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),

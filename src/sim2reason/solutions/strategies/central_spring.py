@@ -21,7 +21,7 @@ from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.strategies.spring_line import SingleSpringBody, ends, quantity_of, single_spring_law
-from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.swings.angle import FormulaMethod
 from sim2reason.solutions.writing.notation import JOULES, METRES, SPEED, latex
 from sim2reason.solutions.writing.steps import (
     SolutionBuilder,
@@ -36,12 +36,12 @@ from sim2reason.solutions.writing.steps import (
 class Launch:
     """A body launched across its spring: its velocity, and a function that writes energy and angular momentum.
 
-    `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
+    `angular_momentum_writer` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """
 
     body: SingleSpringBody
     velocity: Sequence[Expression]
-    kept: Callable[[], tuple[Symbol, Expression]]
+    angular_momentum_writer: Callable[[], tuple[Symbol, Expression]]
 
 
 HALF = Number(0.5)
@@ -73,12 +73,12 @@ class CentralSpring(Strategy):
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
             return "only integration gives the place"
-        return "" if quantity in _CentralMotion.WAYS else f"no way to the quantity {quantity}"
+        return "" if quantity in _CentralMotion.METHOD_BY_QUANTITY else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the conserved quantities, the length of the spring and the answer, and return the answer's symbol."""
         model = _CentralMotion(setting, book)
-        return model.answer(model.WAYS[quantity_of(setting)], model.signed).name
+        return model.answer(model.METHOD_BY_QUANTITY[quantity_of(setting)], model.signed_or_magnitude).name
 
 
 class _CentralMotion(SingleSpringBody):
@@ -126,7 +126,7 @@ class _CentralMotion(SingleSpringBody):
     # ---- the moment
 
     @cached_property
-    def _seen(self) -> tuple[float, float]:
+    def _engine_length(self) -> tuple[float, float]:
         """Return the spring length at the moment, m, and its rate of change over the body's speed, by the engine."""
         extreme = isinstance(self.setting.query, StretchQuery)
         time = time_of_greatest(self.setting) if extreme else self.setting.time
@@ -140,7 +140,7 @@ class _CentralMotion(SingleSpringBody):
         """Return whether the spring has its natural length, instead of an extreme length, at the question's moment."""
         if not isinstance(self.setting.query, StretchQuery):
             return isinstance(self.setting.query.moment, NaturalLength)
-        (far, rate), natural = self._seen, self.book.value(self.natural)
+        (far, rate), natural = self._engine_length, self.book.value(self.natural)
         if abs(far - natural) <= LENGTH_RTOL * natural:
             return True
         if abs(rate) > LENGTH_RTOL:
@@ -148,7 +148,7 @@ class _CentralMotion(SingleSpringBody):
         return False
 
     @cached_property
-    def there(self) -> Expression:
+    def final_length(self) -> Expression:
         """Return the length of the spring at the moment."""
         return self.natural if self.relaxed else self._extreme
 
@@ -164,7 +164,7 @@ class _CentralMotion(SingleSpringBody):
         )
         step.add_text(f"divided by the length. By conservation of energy, {step.law(across + stored, self.energy)}.")
         step.add_text(
-            root_sentence(self.book, step, name, residual, self._seen[0], METRES, "The numerical solution is")
+            root_sentence(self.book, step, name, residual, self._engine_length[0], METRES, "The numerical solution is")
         )
         step.close()
         return name
@@ -175,7 +175,7 @@ class _CentralMotion(SingleSpringBody):
         name = self.book.fresh("v")
         if not self.relaxed:
             return self.book.add_step(
-                "speed", "The speed there is", name, self.specific_angular_momentum / self.there, SPEED
+                "speed", "The speed there is", name, self.specific_angular_momentum / self.final_length, SPEED
             )
         step = self.book.begin_step("speed")
         step.add_text(passed_words(self._launched, step))
@@ -187,7 +187,7 @@ class _CentralMotion(SingleSpringBody):
 
     # ---- what is asked
 
-    def signed(self, formula: Expression) -> Expression:
+    def signed_or_magnitude(self, formula: Expression) -> Expression:
         """Return a formula for a signed quantity; its magnitude if the question asks for no sign."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
@@ -205,10 +205,10 @@ class _CentralMotion(SingleSpringBody):
         return self.energy if self.relaxed else HALF * self.mass * Power(self.speed, 2)
 
     def _extension(self) -> Expression:
-        return self.there - self.natural if not self.relaxed else ZERO
+        return self.final_length - self.natural if not self.relaxed else ZERO
 
     def _current_length(self) -> Expression:
-        return self.there
+        return self.final_length
 
     def _pull(self) -> Expression:
         return self.stiffness * self._extension()
@@ -223,9 +223,9 @@ class _CentralMotion(SingleSpringBody):
         if not self.relaxed:
             raise UnsolvedError("it does not grow then")
         along = Root(Power(self.speed, 2) - Power(self.specific_angular_momentum / self.natural, 2))
-        return along if self._seen[1] > 0.0 else -along
+        return along if self._engine_length[1] > 0.0 else -along
 
-    WAYS: ClassVar[Mapping[str, Way]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]] = {
         "velocity": ("_speed", ""),
         "momentum": ("_momentum", "The momentum is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
@@ -304,7 +304,7 @@ def _passes(
 
 def _verify_reached(launch: Launch) -> None:
     """Write that a spring that shortens at first does so until it has its natural length."""
-    body, (energy, swirl) = launch.body, launch.kept()
+    body, (energy, swirl) = launch.body, launch.angular_momentum_writer()
     book = body.book
     across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
     step = book.begin_step("verify")

@@ -8,17 +8,17 @@ from sim2reason.questions.kinds.nested import INNER, usable_answer
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.laws.nested import (
-    NEW,
+    NEW_SUBSCRIPT,
     in_formula_units,
+    independent_symbol,
     inner_setting,
-    lone_symbol,
     verify_again,
     with_changed_scene,
     with_other_value,
     write_inner_answer,
 )
 from sim2reason.solutions.multipart.names import LABEL, TOKEN, renamed_step
-from sim2reason.solutions.multipart.quoting import labelled
+from sim2reason.solutions.multipart.quoting import relabel
 from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Step
 from sim2reason.solutions.strategies import Strategy, closed_form_strategies, deriving_strategies, strategy
@@ -45,7 +45,7 @@ def shorten_second_case(book: SolutionBuilder, begun: int, changed: Mapping[str,
     labels, sentence = _labels(first, rest, names), _same_laws({**changed, **new})
     for number, step in enumerate(second):
         kept = (
-            replace(step, text=sentence if step is repeated[0] else "") if step in repeated else labelled(step, labels)
+            replace(step, text=sentence if step is repeated[0] else "") if step in repeated else relabel(step, labels)
         )
         book.steps[begun + number] = kept
 
@@ -62,7 +62,7 @@ def reuse_first_case(book: SolutionBuilder, begun: int, stated: Collection[str])
     alike = ((new, old) for new in book.stated.keys() - stated for old in stated if _same_given(book, new, old))
     names, places, kept = dict(alike), dict[int, int](), list[Step]()
     for later_step in second:
-        step = labelled(renamed_step(later_step, names), names)
+        step = relabel(renamed_step(later_step, names), names)
         for other in first:
             pairs = _renaming(step.text, other.text) if step.kind == other.kind else None
             if pairs is not None and all(_same_result(book, new, old) for new, old in pairs.items()):
@@ -74,7 +74,7 @@ def reuse_first_case(book: SolutionBuilder, begun: int, stated: Collection[str])
     names = {new: old for new, old in names.items() if new != old}
     kept = [step for step in kept if not _is_idle_law(step, kept, first, book)]
     places |= {step.id: begun + number for number, step in enumerate(kept)}
-    kept = [labelled(renamed_step(step, names), names) for step in kept]
+    kept = [relabel(renamed_step(step, names), names) for step in kept]
     book.rewrite(begun, [_moved(step, places) for step in kept])
     for name in names:
         book.stated.pop(name, None)
@@ -193,7 +193,7 @@ class Comparison(Strategy):
         """Write the formula of the answer, its value with the changed parameter, and their ratio or difference."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
-        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        symbol, inner = independent_symbol(setting, query.path), inner_setting(setting)
         goal = write_inner_answer(inner, book, _deriving(inner))
         changed = Number(query.factor) * Symbol(symbol)
         lead = f"With ${symbol}$ {WORDS[query.factor]}"
@@ -203,7 +203,7 @@ class Comparison(Strategy):
         wanted = usable_answer(query.inner, query.changed(setting.study))
         if wanted is None or abs(value - in_formula_units(wanted, unit)) > ANSWER_RTOL * abs(value):
             raise UnsolvedError("with the other value the formula is another one")
-        return compared(book, query, goal, after.name)
+        return write_comparison(book, query, goal, after.name)
 
 
 @strategy
@@ -230,10 +230,14 @@ class TwoCases(Strategy):
         """Write the solutions for the given and the changed parameter, and the ratio or difference of the answers."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
-        changed, symbol, inner = query.changed(setting.study), lone_symbol(setting, query.path), inner_setting(setting)
+        changed, symbol, inner = (
+            query.changed(setting.study),
+            independent_symbol(setting, query.path),
+            inner_setting(setting),
+        )
         assert changed is not None
         goal = write_inner_answer(inner, book, _closed(inner))
-        step, new = book.begin_step("other value"), Symbol(with_subscript(symbol, NEW))
+        step, new = book.begin_step("other value"), Symbol(with_subscript(symbol, NEW_SUBSCRIPT))
         unit = setting.lexicon.givens[query.path].counted_unit
         becomes = step.result(new, Number(query.factor) * Symbol(symbol), unit, law=True)
         step.add_text(f"With ${symbol}$ {WORDS[query.factor]}, {becomes}.")
@@ -245,10 +249,10 @@ class TwoCases(Strategy):
         if len(book.afterwards) == late:  # what is written in the end has names of its own
             after = reuse_first_case(book, begun, stated).get(after, after)
         shorten_second_case(book, begun, {new.name: symbol})
-        return compared(book, query, goal, after)
+        return write_comparison(book, query, goal, after)
 
 
-def compared(book: SolutionBuilder, query: ComparisonQuery, before: str, after: str) -> str:
+def write_comparison(book: SolutionBuilder, query: ComparisonQuery, before: str, after: str) -> str:
     """Write the ratio or the difference of two results and return its symbol."""
     old, new = Symbol(before), Symbol(after)
     if query.ratio:

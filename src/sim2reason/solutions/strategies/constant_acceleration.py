@@ -19,7 +19,7 @@ from sim2reason.solutions.laws.directions import verify_farther, verify_remainin
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage import End, Stage
-from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs, verify_still_sliding
+from sim2reason.solutions.laws.stage_part import StagePart, verify_still_sliding, write_stage_arcs
 from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, StraightMotion
 from sim2reason.solutions.setting import ProblemContext, capitalized
@@ -56,14 +56,14 @@ class ConstantAcceleration(Strategy):
         if model.goal is not None and (model.goal.throughout or model.goal.turns):
             draft = _Staged(setting, book.copy())
             draft.write()
-            model.spared = draft.unused
+            model.redundant_coordinates = draft.unused
         return model.write()
 
 
 class _Staged(StraightMotion):
-    """A motion in stages of constant acceleration; `spared` has, by stage, coordinates whose acceleration is unused."""
+    """A motion in stages of constant acceleration; `redundant_coordinates` has, by stage, coordinates whose acceleration is unused."""
 
-    spared: Sequence[AbstractSet[int]] = ()
+    redundant_coordinates: Sequence[AbstractSet[int]] = ()
 
     @property
     def unused(self) -> list[AbstractSet[int]]:
@@ -94,14 +94,14 @@ class _Staged(StraightMotion):
         return {"a": stage.acceleration, "v": stage.velocity, "s": stage.place}[kind](k)
 
     @property
-    def stretches(self) -> Sequence[StagePart]:
+    def motion_parts(self) -> Sequence[StagePart]:
         """Return the stages as parts of the motion."""
         return [StagePart(self, stage, stage.dynamics) for stage in self.stages]
 
-    def tell_arcs(self, body: str) -> None:
+    def write_arcs(self, body: str) -> None:
         """Write the angle turned by a body, stage by stage."""
         if (k := self.hinge(body)) is not None and not self.stages[-1].uniform:
-            tell_arcs(self.book, self.stages, k)
+            write_stage_arcs(self.book, self.stages, k)
 
     def force(self, kind: str, name: str) -> Symbol:
         """Write the force that is asked for, if necessary, and return its symbol."""
@@ -113,7 +113,7 @@ class _Staged(StraightMotion):
         if force_key == solved_key:
             return symbol
         step, friction = self.book.begin_step("friction"), self.book.fresh("f", self.setting.subscript_of(name))
-        formula = (self.newton.coefficient(int(solved_key[1:])) * Polynomial.of(symbol)).expression()
+        formula = (self.newton.coefficient(int(solved_key[1:])) * Polynomial.from_expression(symbol)).expression()
         step.add_text(f"It slides, so {step.result(friction, formula, NEWTONS, law=True)}.")
         step.close()
         return friction
@@ -140,7 +140,7 @@ class _Staged(StraightMotion):
     # ---- stages
 
     @cached_property
-    def wanted(self) -> list[int]:
+    def relevant_coordinates(self) -> list[int]:
         """Return the coordinates whose motion the quantity or the moment of the question depends on."""
         moment = self.query.moment
         timed = self.uses in ("v", "s")
@@ -160,7 +160,7 @@ class _Staged(StraightMotion):
             return all_of_them[-1:]
         relevant = all_of_them[:1]
         for segment in all_of_them[1:]:
-            moved = any(abs(segment.a[k] - relevant[-1].a[k]) > COMPONENT_ATOL for k in self.wanted)
+            moved = any(abs(segment.a[k] - relevant[-1].a[k]) > COMPONENT_ATOL for k in self.relevant_coordinates)
             if moved or self._pulls(segment) != self._pulls(relevant[-1]):
                 relevant.append(segment)
         return relevant
@@ -183,20 +183,20 @@ class _Staged(StraightMotion):
             until = self.setting.time if last else self.segments[number + 1].start
             before = completed_stages[-1] if completed_stages else None
             later = {k for stop in stops[number:] for k in (stop.coordinate, *stop.slip)}
-            handed = sorted({*self.wanted, *later})
+            handed = sorted({*self.relevant_coordinates, *later})
             speeds = {k: before.relative("v", k) for k in handed} if before else self.first_speeds
-            places = {k: before.relative("s", k) for k in self.wanted} if before else {}
+            places = {k: before.relative("s", k) for k in self.relevant_coordinates} if before else {}
             end = self._end(completed_stages, places) if last else stops[number]
             if before is not None and before.end.turned is not None:
                 newton = Newton(self.setting.lexicon, segment)
                 tell_slipping_on(newton, self.setting, self.book, before.end.turned)
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
-            spare = set[int]() if not last else {*self.wanted} - {*self._enough(stage)}
-            spare |= {*(self.spared[number] if self.spared else ())}
+            spare = set[int]() if not last else {*self.relevant_coordinates} - {*self._enough(stage)}
+            spare |= {*(self.redundant_coordinates[number] if self.redundant_coordinates else ())}
             goals = [f"q{k}" for k in sorted(({*handed} - spare) | {*end.slip})]
             forces = self._goal_of(segment, last=last)
             resting = not forces and all(abs(segment.found.a[k]) < COMPONENT_ATOL for k in speeds)
-            stage.uniform = resting and before is not None and not stage.dynamics.carried
+            stage.uniform = resting and before is not None and not stage.dynamics.carrier_coordinates
             stage.reach([*goals, *forces])
             completed_stages.append(stage)
         return completed_stages
@@ -215,7 +215,7 @@ class _Staged(StraightMotion):
         lines = self.goal.lines(self.target) if self.goal is not None and self.target is not None else ()
         return [*coordinates, *(k for name in lines for k in self.stretching(name))]
 
-    def own(self, body: str) -> list[int]:
+    def body_coordinates(self, body: str) -> list[int]:
         """Return the coordinates of a body's motion in the last stage, without those of a carrier below the body."""
         return self.stages[-1].dynamics.sufficient_coordinates(self.moving([body]))
 
@@ -229,7 +229,7 @@ class _Staged(StraightMotion):
             name = self.book.fresh("d")
             self.book.state_given(name.name, moment.value, METRES)
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-            displacement = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
+            displacement = Polynomial.from_expression(name).scale(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
             if before:
                 verify_farther(
                     self.book, displacement, (name, places.get(k, NIL)), self.setting.display_name(moment.name)
@@ -246,11 +246,11 @@ class _Staged(StraightMotion):
         """Return the end condition of a stage at which a body stops slipping on the surface below it."""
         slips = self._slipping(body)
         if len(slips) == 1:
-            carried = Dynamics(self.setting, self.book, segment).carried
+            carried = Dynamics(self.setting, self.book, segment).carrier_coordinates
             if slips[0] not in carried:
                 return End(None, slips[0], None, self._stops(body))
             j, sign = carried[slips[0]]
-            slip = {slips[0]: Polynomial.of(1.0), j: Polynomial.of(-sign)}
+            slip = {slips[0]: Polynomial.from_expression(1.0), j: Polynomial.from_expression(-sign)}
             return End(None, slips[0], None, self._stops(body), slip)
         face = list(self.mechanism.contacts).index(body)
         what = f"{capitalized(self.setting.display_name(body))} begins to roll without slipping when"
@@ -267,7 +267,9 @@ class _Staged(StraightMotion):
         self.book.state_given(name.name, moment.after, SECONDS)
         if not before or self.uses not in ("v", "s"):
             return End(name)
-        formula = (Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)).expression()
+        formula = (
+            Polynomial.from_expression(name) - total(Polynomial.from_expression(stage.time) for stage in before)
+        ).expression()
         left = self.book.add_step("time", "The remaining time is", self.book.fresh("t"), formula, SECONDS)
         verify_remaining(self.book, left, formula, name.name)
         return End(left)
@@ -277,7 +279,7 @@ class _Staged(StraightMotion):
         times = [stage.time for stage in self.stages]
         if len(times) == 1:
             return times[0]
-        formula = total(Polynomial.of(time) for time in times).expression()
+        formula = total(Polynomial.from_expression(time) for time in times).expression()
         return self.book.add_step("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
@@ -286,10 +288,10 @@ class _Staged(StraightMotion):
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:
                 stop = self._slips_no_more(face.subject, now)
-                return self._turned(stop, face.subject) if later else stop
+                return self._reversal_condition(stop, face.subject) if later else stop
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
 
-    def _turned(self, stop: End, body: str) -> End:
+    def _reversal_condition(self, stop: End, body: str) -> End:
         """Return the end condition `stop`, worded for a body that then slips in the opposite direction."""
         who, carrier = self.setting.display_name(body), self.mechanism.body[body].parent
         relative = f" relative to {self.setting.display_name(carrier)}" if carrier else ""

@@ -93,7 +93,7 @@ class _Proportions(StraightMotion):
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return the whole motion as a single part."""
         return [StagePart(self, _Course(self), self.loaded)]
 
@@ -119,12 +119,12 @@ class _Proportions(StraightMotion):
 class _Course:
     """The whole motion as a single part."""
 
-    way: _Proportions
+    model: _Proportions
 
     @property
     def dynamics(self) -> Dynamics:
         """Return Newton's laws, of which only the constraints on displacements are used."""
-        return self.way.dynamics
+        return self.model.dynamics
 
     @property
     def time(self) -> Symbol:
@@ -133,15 +133,15 @@ class _Course:
 
     def gain(self, k: int) -> Polynomial:
         """Return the displacement of a coordinate."""
-        return self.way.rate("s", k)
+        return self.model.rate("s", k)
 
     def gained(self, k: int) -> Polynomial:
         """Return the displacement of a coordinate relative to its carrier, as constraints count it."""
-        return self.way.rate("s", k)
+        return self.model.rate("s", k)
 
     def path(self, k: int) -> Expression:
         """Return the distance that a coordinate covers."""
-        return self.way.size(k)
+        return self.model.size(k)
 
 
 @strategy
@@ -169,9 +169,9 @@ class _Pair(TwoBodyModel, EnergyModel):
     def _turning(self) -> Symbol:
         """Write the turning point, and that a body that stops later still moves there; return its symbol."""
         turning_point, moment, book = super()._turning(), self.query.moment, self.book
-        if not self.greatest or not isinstance(moment, Stopped) or not self.kept:
+        if not self.greatest or not isinstance(moment, Stopped) or not self.conserved_momentum:
             return turning_point
-        both = reduced_quotient(self.kept, self._relative.masses[0])
+        both = reduced_quotient(self.conserved_momentum, self._relative.masses[0])
         own = self.moving([moment.name])
         first = self.first_speeds.get(own[0], NIL).expression() if len(own) == 1 else ZERO
         alike = self._relative.ratio(own[0], self._relative.other) == 1.0

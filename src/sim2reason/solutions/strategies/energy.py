@@ -23,15 +23,15 @@ from sim2reason.solutions.oscillations.friction import StaticFrictionChecks, fir
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, min_free_coordinates, nonlinear_reason
 from sim2reason.solutions.oscillations.net_force import (
     collect_stiffness,
+    extensions_sentence,
     greatest_target,
     law_words,
     net_force,
-    tell_extreme_end,
     time_of_greatest,
-    told_extensions,
     work,
+    write_extreme_end,
 )
-from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, signed
+from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, signed_polynomial
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, missing_goal, strategy
 from sim2reason.solutions.writing.notation import ACCELERATION, JOULES, METRES, SECONDS, SPEED
@@ -94,7 +94,7 @@ class EnergyModel(OneCoordinateModel):
     def _name(self) -> Symbol:
         name, motion = self.book.fresh("x"), self.motion
         self.introduce({self._i: name})
-        if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
+        if isinstance(motion, LinearMotion) and self._slides and not self.initial_rate(self._i):
             direction = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
             clause = f"{self.mover} starts to move {direction}"
             written = StaticFrictionChecks(self).write_moves(motion, 0, clause)
@@ -139,7 +139,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _first(self) -> Expression:
-        return self.first(self._i).expression()
+        return self.initial_rate(self._i).expression()
 
     def _kinetic(self, v: Expression) -> Expression:
         return HALF * self._mass * sum_of_squares([v])
@@ -151,7 +151,7 @@ class EnergyModel(OneCoordinateModel):
         """Return the free coordinate and its rate, by the engine, at the question's moment or greatest value."""
         time = time_of_greatest(self.setting) if self.greatest else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
-        return self.seen(state.q[0]), self.seen(state.v[0])
+        return self.engine_value(state.q[0]), self.engine_value(state.v[0])
 
     @cached_property
     def _turns(self) -> bool:
@@ -159,7 +159,7 @@ class EnergyModel(OneCoordinateModel):
         if not self.greatest:
             self.stops_alone()
             return isinstance(self.query.moment, Stopped | MostStretched | MostCompressed | StoppedSlipping)
-        speeds = [abs(self.seen(row)) for row in self.setting.study.trace.scan.v]
+        speeds = [abs(self.engine_value(row)) for row in self.setting.study.trace.scan.v]
         return abs(self._engine[1]) <= 1e-3 * max(speeds)
 
     @cached_property
@@ -168,7 +168,7 @@ class EnergyModel(OneCoordinateModel):
         moment = self.query.moment
         if self._turns:
             if self.greatest and self.motion.springs:
-                tell_extreme_end(self.setting, self.book, self.name, self.mover)
+                write_extreme_end(self.setting, self.book, self.name, self.mover)
             return self._turning()
         if self.greatest:
             return write_fastest_position(self, self._engine[0])
@@ -195,12 +195,10 @@ class EnergyModel(OneCoordinateModel):
         elif first == ZERO:
             gathered = collect_stiffness(load, stiffness)
             plain = gathered == load.expression()
-            formula = (
-                reduced_quotient(load.scaled(2.0), stiffness) if plain else 2.0 * gathered / stiffness.expression()
-            )
+            formula = reduced_quotient(load.scale(2.0), stiffness) if plain else 2.0 * gathered / stiffness.expression()
         else:
             under = self._mass * stiffness.expression() * Power(self._first, 2)
-            size = load.factored() if self.book.value(load.factored()) > 0.0 else load.scaled(-1.0).factored()
+            size = load.factored() if self.book.value(load.factored()) > 0.0 else load.scale(-1.0).factored()
             root = Root(Power(size, 2) + under if load else under)
             beyond = self._engine[0] > load.value(self.motion.givens) / stiffness.value(self.motion.givens)
             above = load.expression() + root if beyond else load.expression() - root
@@ -259,7 +257,7 @@ class EnergyModel(OneCoordinateModel):
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.begin_step("power"), self.book.fresh("a")
-        step.add_text(told_extensions(self.motion, position, self.setting))
+        step.add_text(extensions_sentence(self.motion, position, self.setting))
         step.add_text(*law_words(self.setting.mechanism, self.motion, mass, self.name, name))
         step.add_text(f"{step.law(mass * name, pulls)},")
         step.add_text(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
@@ -277,7 +275,7 @@ class EnergyModel(OneCoordinateModel):
         self.book.state_given(name.name, moment.after, SECONDS)
         return name
 
-    def clock(self) -> Symbol:
+    def moment_time(self) -> Symbol:
         """Return the time of the moment, given or computed."""
         return self._lasting if isinstance(self.query.moment, AtTime) else self._time
 
@@ -297,4 +295,4 @@ class EnergyModel(OneCoordinateModel):
     def along(self, kind: str) -> Polynomial:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
         value = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
-        return signed(value)
+        return signed_polynomial(value)

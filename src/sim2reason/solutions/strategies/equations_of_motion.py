@@ -81,7 +81,7 @@ class _AtRest(LinearMotionModel):
             raise UnsolvedError("it has no place of its own to rest")
         step = self.book.begin_step("balance")
         for row, load in zip(rows, loads, strict=True):
-            left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
+            left = total(part * Polynomial.from_expression(names[j]) for part, j in zip(row, free, strict=True))
             equations.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
         step.add_text(f"In equilibrium the net force {self._where} is zero: {join_words(equations)}.")
         step.label("balance")
@@ -89,7 +89,7 @@ class _AtRest(LinearMotionModel):
         for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.begin_step("solve")
             step.rest_on("balance")
-            value = formula if len(free) == 1 else self.book.worked(formula)
+            value = formula if len(free) == 1 else self.book.defer_to_number(formula)
             step.add_text(f"So {step.result(names[i], value, METRES)}.")
             step.close()
         return names
@@ -108,7 +108,7 @@ class _AtRest(LinearMotionModel):
 
     def place(self, i: int) -> Polynomial:
         """Return the equilibrium value of a free coordinate."""
-        return Polynomial.of(self._places[i])
+        return Polynomial.from_expression(self._places[i])
 
     def speed(self, i: int) -> Polynomial:
         """Return zero, since nothing moves."""
@@ -167,7 +167,7 @@ class _Together(LinearMotionModel):
         free, motion = self.linear.free, self.linear
         if len(free) < 2:
             raise UnsolvedError("only one thing moves by itself")
-        if motion.damped and any(self.first(i) for i in free):
+        if motion.damped and any(self.initial_rate(i) for i in free):
             raise UnsolvedError("it is damped")
         if motion.springs and not isinstance(self.query.moment, AtStart):
             raise UnsolvedError("accelerations change as it moves")
@@ -186,7 +186,7 @@ class _Together(LinearMotionModel):
         laws: list[str] = []
         step = self.book.begin_step("newton")
         for row, load in zip(rows, loads, strict=True):
-            left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
+            left = total(part * Polynomial.from_expression(names[j]) for part, j in zip(row, free, strict=True))
             laws.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
         step.add_text(
             f"With the accelerations {join_words([f'${name.name}$' for name in names.values()])}, Lagrange's equations"
@@ -197,7 +197,9 @@ class _Together(LinearMotionModel):
         for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.begin_step("solve")
             step.rest_on("equations")
-            step.add_text(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), ACCELERATION)}.")
+            step.add_text(
+                f"By Cramer's rule {step.result(names[i], self.book.defer_to_number(formula), ACCELERATION)}."
+            )
             step.close()
         return names
 
@@ -213,13 +215,13 @@ class _Together(LinearMotionModel):
         if not isinstance(moment, Moved):
             raise UnsolvedError("it is the start")
         k, *_ = self.moving([moment.name])
-        if any(self.first(i) for i in self.linear.ratios[k]):
+        if any(self.initial_rate(i) for i in self.linear.ratios[k]):
             raise UnsolvedError("it does not begin at rest")
         far = self.book.fresh("d")
         self.book.state_given(far.name, moment.value, METRES)
         rise = self.rate("a", k)
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-        rise = rise if there > 0.0 else rise.scaled(-1.0)
+        rise = rise if there > 0.0 else rise.scale(-1.0)
         step = self.book.begin_step("time")
         law = step.law(far, HALF * rise.expression() * Power(name, 2))
         who = self.setting.display_name(moment.name)
@@ -232,36 +234,36 @@ class _Together(LinearMotionModel):
     def _known(self) -> dict[tuple[str, int], Polynomial]:
         return {}
 
-    def _told(self, base: str, i: int, formula: Expression, unit: str, said: str) -> Polynomial:
+    def _write_coordinate(self, base: str, i: int, formula: Expression, unit: str, said: str) -> Polynomial:
         if formula == ZERO:
             return NIL
         if (base, i) not in self._known:
             mark = self.setting.subscript_of(self.mechanism.coordinates[i].body)
             name = self.book.fresh(base, mark)
-            self._known[base, i] = Polynomial.of(self.book.add_step(base, said, name, formula, unit))
+            self._known[base, i] = Polynomial.from_expression(self.book.add_step(base, said, name, formula, unit))
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
         """Return the displacement v₀ t + ½ a t²."""
         if isinstance(self.query.moment, AtStart):
             return NIL
-        rise, first = self._accelerations[i], self.first(i)
+        rise, first = self._accelerations[i], self.initial_rate(i)
         formula = HALF * rise * Power(self.time, 2)
         formula = first.expression() * self.time + formula if first else formula
-        return self._told("s", i, formula, METRES, "The displacement is then")
+        return self._write_coordinate("s", i, formula, METRES, "The displacement is then")
 
     def speed(self, i: int) -> Polynomial:
         """Return the velocity v₀ + a t."""
-        first = self.first(i)
+        first = self.initial_rate(i)
         if isinstance(self.query.moment, AtStart):
             return first
         formula = self._accelerations[i] * self.time
         formula = first.expression() + formula if first else formula
-        return self._told("v", i, formula, SPEED, "The velocity is then")
+        return self._write_coordinate("v", i, formula, SPEED, "The velocity is then")
 
     def acceleration(self, i: int) -> Polynomial:
         """Return the constant acceleration."""
-        return Polynomial.of(self._accelerations[i])
+        return Polynomial.from_expression(self._accelerations[i])
 
 
 @strategy

@@ -17,7 +17,7 @@ from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import RotatingMotion
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
-from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn
+from sim2reason.solutions.fields.turns import REACHES, TURN_MOMENTS, FieldTurn
 from sim2reason.solutions.goals import GOALS, Components, magnitude, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, squared
 from sim2reason.solutions.laws.newton import Newton
@@ -40,7 +40,7 @@ class FieldEnergy:
 
     def potential(self) -> Expression:
         """Return the work of the electric force along its axis; UnsolvedError for a field without a potential."""
-        drive, mass = self.fields.drive, self.fields.mass
+        drive, mass = self.fields.electric_acceleration, self.fields.mass
         if drive is None:
             return ZERO
         if drive.growth is not None or drive.frequency is not None:
@@ -69,7 +69,7 @@ class FieldEnergy:
 
     def work(self) -> Symbol:
         """Write the work of the electric field and return its symbol."""
-        if self.fields.damping is None:
+        if self.fields.linear_drag_rate is None:
             formula = self._gained()
             text = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
             text = text if self.fields.turning is not None else "By the work-energy theorem,"
@@ -77,7 +77,7 @@ class FieldEnergy:
             text, formula = "The work of the electric force is", self.potential()
         return self.book.add_step("work", text, self.book.fresh("W"), formula, JOULES)
 
-    def lost(self) -> Symbol:
+    def write_dissipated_energy(self) -> Symbol:
         """Write the energy lost to the medium: the electric work minus the gain in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
@@ -88,7 +88,7 @@ class FieldEnergy:
 
 
 NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
-MOMENTS = (AtStart, AtTime, Away, Stopped, *TURNED)
+MOMENTS = (AtStart, AtTime, Away, Stopped, *TURN_MOMENTS)
 QUANTITIES = (
     *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
     "electric potential energy",
@@ -185,7 +185,7 @@ class _InFields(StraightMotion):
     def _period(self, query: PeriodQuery) -> Symbol:
         """Write the period of the circular motion, s, and return its symbol."""
         turns = self.fields.turning
-        if turns is None or self.fields.drive is not None or self.fields.damping is not None:
+        if turns is None or self.fields.electric_acceleration is not None or self.fields.linear_drag_rate is not None:
             raise UnsolvedError("it does not go round a circle")
         size = self.book.magnitude(turns)
         return measured_period(self.book, query, size, "The period of the circular motion is")
@@ -197,7 +197,7 @@ class _InFields(StraightMotion):
         if query.functional == "work of an electric field":
             return energy.work()
         if query.functional == "energy lost to drag":
-            return energy.lost()
+            return energy.write_dissipated_energy()
         return GOALS[query.functional].write(self.target, self)
 
     def _potential(self) -> Symbol:
@@ -222,7 +222,7 @@ class _InFields(StraightMotion):
             known = self._names[kind, axis] = self._written(kind, axis)
         if kind == "v" and known == self.fields.launch[axis]:  # as at the start, so that their difference vanishes
             return self.first_speeds.get(k, NIL)
-        return Polynomial.of(known) if known != ZERO else NIL
+        return Polynomial.from_expression(known) if known != ZERO else NIL
 
     def _written(self, kind: str, axis: int) -> Expression:
         if isinstance(self.query.moment, AtStart):
@@ -232,22 +232,26 @@ class _InFields(StraightMotion):
         elif kind == "a":
             formula = self._pull(axis, self.time, self._component("v"), self._component("s"))
         else:
-            law = self.motion.moved if kind == "s" else self.motion.rate
+            law = self.motion.displacement if kind == "s" else self.motion.rate
             if isinstance(self.query.moment, Stopped) and isinstance(self.motion, RotatingMotion) and kind == "s":
-                law = self.motion.carried  # what turns has come round again
+                law = self.motion.drift_displacement  # what turns has come round again
             formula = law(axis, self.time)
             short = self._turn.component(kind, axis, self.time) if self._turn is not None else None
             formula = formula if short is None else short
-        if isinstance(self.query.moment, Away) and kind == "s" and self.motion.moved(1 - axis, self.time) == ZERO:
+        if (
+            isinstance(self.query.moment, Away)
+            and kind == "s"
+            and self.motion.displacement(1 - axis, self.time) == ZERO
+        ):
             distance = Symbol(next(name for name in self.book.stated if name != self.time.name))
             return distance if self.book.value(formula) > 0.0 else -distance
         if formula == ZERO or isinstance(formula, Symbol) or (kind == "v" and formula == self.fields.launch[axis]):
             return formula
         name = self.fields.velocity[axis] if kind == "v" else self.book.fresh(kind, AXES[axis])
-        text, law = self._said(kind, axis)
+        text, law = self._component_lead(kind, axis)
         return self.book.add_step("component", text, name, formula, NOUNS[kind].unit, rests=law)
 
-    def _said(self, kind: str, axis: int) -> tuple[str, str]:
+    def _component_lead(self, kind: str, axis: int) -> tuple[str, str]:
         """Return the beginning of a sentence about a component, and the label of the law that it uses."""
         who, along = self.setting.display_name(self.body), AXES[axis]
         if isinstance(self.query.moment, AtStart):
@@ -257,28 +261,32 @@ class _InFields(StraightMotion):
         if isinstance(self.query.moment, Stopped) and isinstance(self.motion, RotatingMotion) and kind == "s":
             text = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
             return f"{text}, which along {along} is", self.fields.law
-        if self._turn is not None and (short := self._turn.told(kind, axis)):
+        if self._turn is not None and (short := self._turn.lead_text(kind, axis)):
             return short, self.fields.law
         return self.motion.lead_text(kind, axis, self.time), self.fields.law
 
     @property
     def _turn(self) -> FieldTurn | None:
         """Return the turn of the velocity that defines the moment of the question; None for other moments."""
-        return self.moment.turn if isinstance(self.query.moment, TURNED) else None
+        return self.moment.turn if isinstance(self.query.moment, TURN_MOMENTS) else None
 
     def vector(self, kind: str, body: str) -> Components:
         """Return a vector by component, or its magnitude alone if that is asked for and has a short formula."""
         magnitude_only = self.target is not None and self.target.sense is None and self.query.kind != "sum"
         if magnitude_only and not isinstance(self.query.moment, AtStart):
-            sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}
+            sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.acceleration_magnitude, "s": self._chord}
             size = sizes.get(kind, lambda: None)()
             if size is not None:
-                return Polynomial.of(size), NIL, NIL
+                return Polynomial.from_expression(size), NIL, NIL
         return super().vector(kind, body)
 
     def _chord(self) -> Expression | None:
         """Return the distance from the start after a turn of the velocity in a magnetic field alone, else None."""
-        alone = self.fields.drive is None and self.fields.damping is None and not self.fields.has_quadratic_drag
+        alone = (
+            self.fields.electric_acceleration is None
+            and self.fields.linear_drag_rate is None
+            and not self.fields.has_quadratic_drag
+        )
         if not alone or not isinstance(self.query.moment, VelocityTurned):
             return None
         assert self.time is not None
@@ -290,7 +298,7 @@ class _InFields(StraightMotion):
     def mass(self, body: str) -> Polynomial:
         """Return the mass of the body."""
         del body
-        return Polynomial.of(self.fields.mass)
+        return Polynomial.from_expression(self.fields.mass)
 
     @property
     def newton(self) -> Newton:

@@ -21,9 +21,9 @@ from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, min_free_coordinates
 from sim2reason.solutions.oscillations.to_and_fro import (
     FrictionTravel,
-    tell_beyond,
-    tell_rest_only_later,
-    told_first_rest,
+    write_first_rest,
+    write_rest_beyond,
+    write_rest_later,
 )
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
@@ -83,7 +83,7 @@ class _Swinging(Oscillating):
             there = self.whole_place
             self._checks.write_stays(self._motion(self.segment, there), len(self._segments))
         marked = isinstance(moment, Moved | NaturalLength) and not self.greatest
-        if marked and not oscillation.is_turning_point(self.since_begun):
+        if marked and not oscillation.is_turning_point(self.time_since_start_position):
             self._turns_beyond(oscillation)
         return super().write()
 
@@ -101,7 +101,9 @@ class _Swinging(Oscillating):
             raise UnsolvedError("there are several modes")
         if motion.damped or not any(motion.laws.slip_directions.values()):
             raise UnsolvedError("it does not slide all the while")
-        return HarmonicOscillation(self.book, motion, name, NIL if before else self.first(motion.free[0]), before)
+        return HarmonicOscillation(
+            self.book, motion, name, NIL if before else self.initial_rate(motion.free[0]), before
+        )
 
     @cached_property
     def harmonic(self) -> HarmonicOscillation:
@@ -128,9 +130,9 @@ class _Swinging(Oscillating):
         """Write why the body moves in a half-oscillation, and that friction is constant until it next comes to rest."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
-        resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting(motion)]
+        resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting_faces(motion)]
         if resting and not number and not self.book.in_symbols:
-            self._say(
+            self._write_names(
                 f"Assume that {self.setting.bodies_phrase(resting)} {'stays' if len(resting) == 1 else 'stay'} at rest."
             )
         if number:
@@ -142,18 +144,18 @@ class _Swinging(Oscillating):
             self._assume(clause if not self._checks.write_moves(motion, number, clause) else "")
         else:
             self._assume("")
-        self._say(*swing_words(self, held, number))
+        self._write_names(*swing_words(self, held, number))
 
     def _assume(self, said: str) -> None:
         """Write what is assumed and verified later: the clause `said`, and motion back at each turning point."""
         if self.book.in_symbols:
             return
-        if len(self._segments) > 1 and self._checks.hidden(self._motion(self._segments[-1], ZERO)):
+        if len(self._segments) > 1 and self._checks.is_force_hidden(self._motion(self._segments[-1], ZERO)):
             back = "moves back at each turning point before the moment in question"
             said = f"{said} and {back}" if said else f"{self.mover} {back}"
-        self._say(f"Assume that {said}." if said else "")
+        self._write_names(f"Assume that {said}." if said else "")
 
-    def _say(self, *sentences: str) -> None:
+    def _write_names(self, *sentences: str) -> None:
         step = self.book.begin_step("names")
         step.add_text(*sentences)
         step.close()
@@ -164,7 +166,7 @@ class _Swinging(Oscillating):
         self._times.append((held, span))
         timed = self.query.target is None or isinstance(self.query.moment, AtTime)
         if timed:
-            _ = self._begun
+            _ = self._earlier_duration
         who = capitalized(self.mover)
         text = "The turning point is at" if timed else f"{who} first comes to rest at"
         text, name = (text, book.fresh("x", "1")) if first else (f"{who} next comes to rest at", held.name)
@@ -192,22 +194,22 @@ class _Swinging(Oscillating):
         return []
 
     @property
-    def _begun(self) -> Expression:
+    def _earlier_duration(self) -> Expression:
         """Return the total duration of the earlier half-oscillations, and write those durations that are missing."""
         for oscillation, span in self._times[len(self._lasting) :]:
             self._lasting.append(self._lasts(oscillation, span))
-        return total(map(Polynomial.of, self._lasting)).expression()
+        return total(map(Polynomial.from_expression, self._lasting)).expression()
 
     def _time_name(self) -> Symbol:
         return self.book.fresh("t", str(len({duration.name for duration in self._lasting}) + 1))
 
     def _lasts(self, held: HarmonicOscillation, span: float) -> Symbol:
         """Write the duration of a half-oscillation, s, only once for those that begin at rest; return its symbol."""
-        from_rest = held.begun == ZERO
+        from_rest = held.sine_coefficient == ZERO
         if from_rest and self._half is not None:
             return self._half
         if not from_rest:
-            return told_first_rest(self, held, span, self._time_name())
+            return write_first_rest(self, held, span, self._time_name())
         text = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
             text = f"{capitalized(self.mover)} first comes to rest after half an oscillation,"
@@ -215,11 +217,11 @@ class _Swinging(Oscillating):
         self._half = self.book.add_step("time", text, self._time_name(), formula, SECONDS)
         return self._half
 
-    def since(self, time: Symbol) -> Symbol:
+    def shift_time_to_begin(self, time: Symbol) -> Symbol:
         """Return the time within the last half-oscillation: a time less the earlier durations."""
         left = time
         if self._times:
-            before = self._begun
+            before = self._earlier_duration
             text = capitalized(f"{self._equal_times()}the remaining time is")
             left = self.book.add_step("time", text, self._time_name(), time - before, SECONDS)
         self._turns_later(left)
@@ -228,19 +230,19 @@ class _Swinging(Oscillating):
     def time_since(self) -> Symbol:
         """Write the time of the moment within the last half-oscillation, s, and return its symbol."""
         oscillation = self.harmonic
-        if oscillation.is_turning_point(self.since_begun):
-            return self._lasts(oscillation, self.since_begun)
+        if oscillation.is_turning_point(self.time_since_start_position):
+            return self._lasts(oscillation, self.time_since_start_position)
         return super().time_since()
 
     def time_name(self) -> Symbol:
         """Return a symbol for the time within the last half-oscillation, `t` if it is the first."""
         return self._time_name() if self._times else self.book.fresh("t")
 
-    def until(self, time: Symbol) -> Symbol:
+    def shift_time_to_start(self, time: Symbol) -> Symbol:
         """Return the time since the start, s, from the time within the last half-oscillation."""
         if not self._times:
             return time
-        total_time = total(map(Polynomial.of, (*self._lasting, time))).expression()
+        total_time = total(map(Polynomial.from_expression, (*self._lasting, time))).expression()
         text = capitalized(f"{self._equal_times(time)}the total time is")
         return self.book.add_step("time", text, self.book.fresh("t"), total_time, SECONDS)
 
@@ -265,21 +267,21 @@ class _Swinging(Oscillating):
     def _turns_later(self, left: Symbol) -> None:
         """Write that the last half-oscillation takes longer than the remaining time."""
         formula = self.harmonic.angle_of_turning(self._ends_after(self.harmonic)) / self.harmonic.angular_frequency
-        tell_rest_only_later(self.book, formula, left, self._half, again=bool(self._times))
+        write_rest_later(self.book, formula, left, self._half, again=bool(self._times))
 
     def _turns_beyond(self, held: HarmonicOscillation) -> None:
         """Write that the body comes to rest only beyond its position at the moment, if need be at the end."""
         formula, position, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
         if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, position))):
-            self.book.afterwards.append(lambda: tell_beyond(self, held, formula, position, later=later))
+            self.book.afterwards.append(lambda: write_rest_beyond(self, held, formula, position, later=later))
         else:
-            tell_beyond(self, held, formula, position, later=later)
+            write_rest_beyond(self, held, formula, position, later=later)
 
     def _verify_others(self, held: HarmonicOscillation) -> None:
         """Write that bodies at rest stay at rest while the oscillating body moves between its turning points."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
-        if not self._checks.resting(motion):
+        if not self._checks.resting_faces(motion):
             return
         span, places = self._ends_after(held), [*self._places]
         if len(places) == 1:
@@ -288,7 +290,7 @@ class _Swinging(Oscillating):
         self._checks.others_rest(motion, places, self.book.value(self.begin) + held.state_at(span)[0])
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return all half-oscillations as one motion with friction."""
         last = self.whole_place
         return [FrictionTravel(self, [*self._places, last])]

@@ -13,7 +13,7 @@ from sim2reason.questions.moments.distances import Away, Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, ratio, sum_terms
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.root_finding import root_sentence
@@ -27,7 +27,7 @@ from sim2reason.solutions.collisions.free_flight import (
     write_nearer_before,
     write_omitted_collisions,
 )
-from sim2reason.solutions.collisions.oblique import Flights, tell_side
+from sim2reason.solutions.collisions.oblique import Flights, write_nearer_side
 from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.goals import CollisionTerm, MotionPart
 from sim2reason.solutions.laws.newton import Newton
@@ -103,9 +103,9 @@ class _Struck(StraightMotion):
         ever = isinstance(self.query.moment, LastCollision)
         until = self.time if isinstance(self.query.moment, AtTime) else None
         order = CollisionOrder(self.flights, inf if ever else self.setting.time)
-        order.follow()
+        order.write_collisions()
         until = None if ever else until or self.time
-        self.book.afterwards.append(lambda: order.tell(until))
+        self.book.afterwards.append(lambda: order.write_exclusions(until))
 
     def force(self, kind: str, name: str) -> Symbol:
         """Raise UnsolvedError, since no contact acts in flight."""
@@ -118,13 +118,13 @@ class _Struck(StraightMotion):
         return [StruckBodies(self.flights, impact) for impact in relevant]
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return all flights of the body in question, each as a part of the motion."""
         assert self.target is not None
         body, flights = self.target.subject, self.flights
         last = self.number(body)
-        ends = [flights.leg(body, number + 1).after for number in range(last)]
-        times = [*(flights.when(impact) if impact is not None else None for impact in ends), self.time]
+        ends = [flights.flight_of_body(body, number + 1).after for number in range(last)]
+        times = [*(flights.collision_time(impact) if impact is not None else None for impact in ends), self.time]
         return [FlightPart(flights, number, time) for number, time in enumerate(times)]
 
     @cached_property
@@ -153,7 +153,7 @@ class _Struck(StraightMotion):
         """Write the time of the moment, s, and return its symbol."""
         moment = self.query.moment
         if self.impact is not None:
-            return self.flights.when(self.impact)
+            return self.flights.collision_time(self.impact)
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
             self.book.state_given(name.name, moment.after, SECONDS)
@@ -190,7 +190,7 @@ class _Struck(StraightMotion):
             self._flying.add(body)
             self.flights.flying_on(body, number, self.time)
         if kind == "s":
-            return self.flights.place(body, number, k, self.time)
+            return self.flights.displacement(body, number, k, self.time)
         needs_time = self.flights.acceleration(k) and not isinstance(self.query.moment, AtStart)
         return self.flights.velocity(body, number, k, self.time if needs_time else None)
 
@@ -200,46 +200,46 @@ class _Struck(StraightMotion):
         name = self.book.fresh("d")
         self.book.state_given(name.name, moment.value, METRES)
         number = self.flights.count(moment.name, None)
-        leg = self.flights.leg(moment.name, number)
+        leg = self.flights.flight_of_body(moment.name, number)
         there = float(self.setting.motion.state(np.array([self.setting.time])).q[0, k])
-        before = self.flights.place(moment.name, number, k, None)
-        target = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
+        before = self.flights.displacement(moment.name, number, k, None)
+        target = Polynomial.from_expression(name).scale(1.0 if there > 0.0 else -1.0)
         if number and not self.flights.acceleration(k):
-            tell_side(self.flights, moment.name, k, name)
+            write_nearer_side(self.flights, moment.name, k, name)
         text = f"{capitalized(moment.told(self.setting.words, f'${name.name}$'))} when"
         return self._flown(leg.speeds[k], (before - target, target), k, text, leg)
 
     def _landing(self, body: str) -> Symbol:
         """Write the time at which a body reaches the ground and return its symbol."""
         k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
-        height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
-        leg = self.flights.leg(body, self.flights.count(body, None))
+        height = self.setting.lexicon.formula_for(lambda m: -m.coordinates[k].lower)
+        leg = self.flights.flight_of_body(body, self.flights.count(body, None))
         text = f"{capitalized(self.setting.display_name(body))} reaches the ground when"
         return self._flown(leg.speeds[k], (height, NIL), k, text, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
         """Write the time at which a body is at a stated distance from its start; a numerical root."""
         body, number = moment.name, self.flights.count(moment.name, None)
-        leg, name = self.flights.leg(body, number), self.book.fresh("d")
+        leg, name = self.flights.flight_of_body(body, number), self.book.fresh("d")
         self.book.state_given(name.name, moment.value, METRES)
         paths: list[Polynomial] = []
         moves = self.moving([body])
         if number == 0 and not any(self.flights.acceleration(k) for k in moves):
             return self._straight([leg.speeds[k] for k in moves if k in leg.speeds], name, body)
-        before = {k: self.flights.place(body, number, k, None) for k in moves}
+        before = {k: self.flights.displacement(body, number, k, None) for k in moves}
         write_nearer_before(self.flights, body, leg, name)
         step, time = self.book.begin_step("time"), self.book.fresh("t")
-        t = Polynomial.of(time)
+        t = Polynomial.from_expression(time)
         for k in moves:
-            path = before[k] + leg.speeds[k] * t + (self.flights.acceleration(k) * t * t).scaled(0.5)
+            path = before[k] + leg.speeds[k] * t + (self.flights.acceleration(k) * t * t).scale(0.5)
             paths.append(path)
         squares: Expression = ZERO
         for path in paths:
-            squares = added(squares, Power(path.expression(), 2))
+            squares = sum_terms(squares, Power(path.expression(), 2))
         law = step.law(Power(name, 2), squares)
         begins = self.flights.begins(leg)
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
-        residual = added(squares, -Power(name, 2))
+        residual = sum_terms(squares, -Power(name, 2))
         step.add_text(f"{capitalized(self.setting.display_name(body))} is at the distance ${name.name}$ when {law}.")
         text = "The numerical solution for the first such time is"
         step.add_text(root_sentence(self.book, step, time, residual, near, SECONDS, text))
@@ -250,7 +250,7 @@ class _Struck(StraightMotion):
         """Write the time to cover a distance at constant velocity and return its symbol."""
         squares: Expression = ZERO
         for speed in speeds:
-            squares = added(squares, Power(speed.expression(), 2))
+            squares = sum_terms(squares, Power(speed.expression(), 2))
         step, speed, time = self.book.begin_step("time"), self.book.fresh("v"), self.book.fresh("t")
         fast = step.result(speed, Root(squares), SPEED, law=True)
         step.add_text(f"Until then the speed of {self.setting.display_name(body)} is constant, {fast},")
@@ -264,11 +264,11 @@ class _Struck(StraightMotion):
         if len(coordinates) != 1:
             raise UnsolvedError("nothing turns it back")
         k, number = coordinates[0], self.flights.count(body, None)
-        leg = self.flights.leg(body, number)
+        leg = self.flights.flight_of_body(body, number)
         step, name = self.book.begin_step("time"), self.book.fresh("t")
         a = self.flights.acceleration(k)
-        law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
-        formula = ratio(leg.speeds[k].scaled(-1.0).expression(), a.expression())
+        law = step.law((leg.speeds[k] + a * Polynomial.from_expression(name)).expression(), NIL.expression())
+        formula = ratio(leg.speeds[k].scale(-1.0).expression(), a.expression())
         who = capitalized(self.setting.display_name(body))
         turns = "reaches its highest point" if isinstance(self.query.moment, HighestPoint) else "comes to rest"
         step.add_text(f"{who} {turns} when {law}, so {step.result(name, formula, SECONDS)}.")
@@ -280,17 +280,17 @@ class _Struck(StraightMotion):
         (gap, target), a = way, self.flights.acceleration(k)
         parts: tuple[Polynomial, Polynomial, Polynomial] | None = None
         step, name = self.book.begin_step("time"), self.book.fresh("t")
-        t = Polynomial.of(name)
-        law = step.law((gap + target + speed * t + (a * t * t).scaled(0.5)).expression(), target.expression())
+        t = Polynomial.from_expression(name)
+        law = step.law((gap + target + speed * t + (a * t * t).scale(0.5)).expression(), target.expression())
         if a and not gap:  # it comes back to where it began
-            formula = ratio(speed.scaled(-2.0).expression(), a.expression())
+            formula = ratio(speed.scale(-2.0).expression(), a.expression())
         elif a:
             # gap and rise have opposite signs unless it is thrown back; the first root in either case
             sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
-            parts = gap.scaled(sign), speed.scaled(sign), a.scaled(sign)
+            parts = gap.scale(sign), speed.scale(sign), a.scale(sign)
             formula = self.flights.root(*parts)
         else:
-            formula = ratio(gap.scaled(-1.0).expression(), speed.expression())
+            formula = ratio(gap.scale(-1.0).expression(), speed.expression())
         later = f" after {self.flights.collision(leg.after)}" if leg.after is not None else ""
         result = step.result(name, formula, SECONDS)
         why = why_this_time(self.book, step, name, self.flights.root(*parts, first=False)) if parts and speed else ""

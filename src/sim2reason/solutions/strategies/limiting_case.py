@@ -54,7 +54,7 @@ class LimitingDynamics(WrittenDynamics):
         rows, unknowns = self.laws(["q0"])
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
         matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
-        right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
+        right = np.array([-row.zero.terms_without(unknowns).value(givens) for row in rows])
         solution = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
         return {**self.newton.values, **dict(zip(unknowns, solution.tolist(), strict=True))}
 
@@ -80,7 +80,7 @@ class LimitingBalance(LimitingDynamics):
         """Return the indices of coordinates with zero acceleration, or zero relative acceleration, at the limit."""
         beside = self._beside
         rates = {k: beside.values[f"q{k}"] for k in range(len(self.mechanism.coordinates)) if k not in beside.frozen}
-        for k, (j, sign) in beside.carried.items():
+        for k, (j, sign) in beside.carrier_coordinates.items():
             rates[k] -= sign * beside.values[f"q{j}"]
         return beside.frozen | {k for k, rate in rates.items() if abs(rate) < ACCELERATION_ATOL}
 
@@ -99,7 +99,7 @@ class LimitingBalance(LimitingDynamics):
         """Return the normal force at a contact as a formula of the other forces and the accelerations."""
         still = {f"q{k}": NIL for k in self.frozen}
         row = self.newton.normal(face)
-        return (row.inertia - row.forces.without((f"N{face}",))).substitute(still)
+        return (row.inertia - row.forces.terms_without((f"N{face}",))).substitute(still)
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """Return all laws except the condition on the body about to move, and the unknowns of these laws."""
@@ -143,7 +143,7 @@ class LimitingBalance(LimitingDynamics):
 
     def _worked(self, held: Polynomial) -> Expression:
         """Return the numerical value of a polynomial as a formula."""
-        return self.book.worked(held.factored())
+        return self.book.defer_to_number(held.factored())
 
     def _solved(self, name: str, formula: Expression) -> tuple[Expression, Expression]:
         """Return the question's unknown, for which a formula vanishes, and this formula; long ones have numbers."""
@@ -152,7 +152,7 @@ class LimitingBalance(LimitingDynamics):
             raise UnsolvedError("the limit does not depend on the unknown")
         root = solved_for(name, formula, ZERO, book.values)
         if isinstance(root, NumericRoot) or len(root.latex()) > MAX_FORMULA_LENGTH:
-            formula = evaluate_known_parts(formula, frozenset({name}), book.worked)
+            formula = evaluate_known_parts(formula, frozenset({name}), book.defer_to_number)
             root = solved_for(name, formula, ZERO, book.values, self._worked)
         if isinstance(root, NumericRoot) or len(root.latex()) > MAX_FORMULA_LENGTH:
             raise UnsolvedError("the limit has no short closed form")
@@ -160,7 +160,7 @@ class LimitingBalance(LimitingDynamics):
 
     def _either_way(self) -> str:
         """Return the sentence that slip the other way only changes the sign, if the symbolic answer is a magnitude."""
-        formula, direction = self.setting.formula, self._way()
+        formula, direction = self.setting.formula, self._slip_direction_words()
         if not self.book.in_symbols or formula is None or BAR not in formula.latex or not direction or self._with_it():
             return ""
         unknown = f"${self.book.sought}$"
@@ -169,7 +169,7 @@ class LimitingBalance(LimitingDynamics):
             f"sign in them, so that the magnitude of {unknown} is the answer in both cases."
         )
 
-    def _way(self) -> str:
+    def _slip_direction_words(self) -> str:
         """Return the words for the direction of impending slip, after a space; empty if it has no short name."""
         sides = self.newton.slip_directions.items()
         face, side = next((n, s) for n, s in sides if self.mechanism.faces[n].subject == self._who)
@@ -210,7 +210,7 @@ class LimitingBalance(LimitingDynamics):
         """Write the conditions of the limiting case: which body is about to slip or rise, and what is still at rest."""
         step, who = self.book.begin_step("limit"), self.setting.display_name(self._who)
         either = self._either_way() if slides else ""
-        direction = self._way() if slides and not either else ""
+        direction = self._slip_direction_words() if slides and not either else ""
         what = f"slip{direction}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
         rests = len(self.frozen) == len(self.mechanism.coordinates)
         still = "all bodies are still at rest" if rests else "its acceleration is still zero"
@@ -310,11 +310,11 @@ def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Po
         face = next(n for n, candidate in enumerate(dynamics.mechanism.faces) if candidate.subject == name)
         weights = dynamics.newton.slip(face)
         for k in list(weights):
-            if k in dynamics.carried:
-                j, sign = dynamics.carried[k]
-                weights[j] = weights.get(j, Polynomial({})) - weights[k].scaled(sign)
+            if k in dynamics.carrier_coordinates:
+                j, sign = dynamics.carrier_coordinates[k]
+                weights[j] = weights.get(j, Polynomial({})) - weights[k].scale(sign)
         return weights
     own = dynamics.sufficient_coordinates(dynamics.newton.moving_coordinates(name))
     if len(own) != 1:
         raise UnsolvedError("it moves along no line of its own")
-    return {own[0]: Polynomial.of(1.0)}
+    return {own[0]: Polynomial.from_expression(1.0)}

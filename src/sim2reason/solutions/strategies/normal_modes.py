@@ -20,7 +20,7 @@ from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates
 from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
-from sim2reason.solutions.oscillations.mode_laws import Mode, acceleration, jerk, place, plain, speed
+from sim2reason.solutions.oscillations.mode_laws import Mode, acceleration, jerk, normalized_single_mode, place, speed
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes, natural_frequency
 from sim2reason.solutions.oscillations.to_and_fro import BackAndForthTravel, turning_times
@@ -32,7 +32,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
 LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each is the derivative of the one before
-WAYS = "the sum over the modes,", "differentiating,", "differentiating twice,"
+DERIVATIVE_LEADS = "the sum over the modes,", "differentiating,", "differentiating twice,"
 ORDERS = {"s": 0, "v": 1, "a": 2}  # order of the time derivative that a goal uses
 
 
@@ -75,7 +75,7 @@ class _Modal(LinearMotionModel):
         self.names = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
         small = isinstance(self.query, PeriodQuery)
         self.introduce(self.names, " from equilibrium" if small else "")
-        first = [NIL if small else self.first(i) for i in motion.free]
+        first = [NIL if small else self.initial_rate(i) for i in motion.free]
         return NormalModes(self.book, motion, first, [*self.names.values()], loaded=not small)
 
     @cached_property
@@ -129,7 +129,7 @@ class _Modal(LinearMotionModel):
         if self.book.most >= Need.ROOT:
             return
         modes = self._all
-        rates = [n for n in modes.shown(self._as_forms(self._sought)) if n >= modes.zeros]
+        rates = [n for n in modes.contributing_modes(self._as_forms(self._sought)) if n >= modes.zeros]
         if modes.size - modes.zeros > PAIR or len(rates) > 1:
             raise UnsolvedError(f"it needs more: {Need.ROOT.label}")
 
@@ -143,7 +143,7 @@ class _Modal(LinearMotionModel):
             self.book.state_given(name.name, moment.after, SECONDS)
             return name
         text, weights, law = self._condition
-        modes = self._modes if self._goes_on != ZERO else plain(self._modes)
+        modes = self._modes if self._goes_on != ZERO else normalized_single_mode(self._modes)
         value: Expression = ZERO
         for k, part in weights.items():
             for i, ratio in self.motion.ratios[k].items():
@@ -229,22 +229,22 @@ class _Modal(LinearMotionModel):
 
     # ---- what goals ask
 
-    def clock(self) -> Symbol:
+    def moment_time(self) -> Symbol:
         """Return the time of the moment."""
         return self._time
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return the whole motion, with the turning points of the body in question."""
         assert self.target is not None
         own = self.moving([self.target.subject])
         if len(own) != 1 or own[0] not in self.motion.free:
             raise UnsolvedError("its path is no line of its own")
         i, last = own[0], self._time
-        times = self._turned(i)
+        times = self._write_turning_times(i)
         return [BackAndForthTravel(self, [ZERO, *self._at(i, [*times, last])])]
 
-    def _turned(self, i: int) -> list[Symbol]:
+    def _write_turning_times(self, i: int) -> list[Symbol]:
         """Write the times at which a free coordinate turns back before the moment."""
         nears = turning_times(self.setting.study.trace, i, self.setting.time)
         if not nears:
@@ -267,7 +267,7 @@ class _Modal(LinearMotionModel):
         step.close()
         return names
 
-    def _told(self, order: int, i: int, base: str, unit: str) -> Polynomial:
+    def _write_mode_sum(self, order: int, i: int, base: str, unit: str) -> Polynomial:
         """Write the displacement as a sum over modes, or its derivative of some order, once; return its symbol."""
         if (base, i) not in self._known:
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
@@ -276,21 +276,25 @@ class _Modal(LinearMotionModel):
             mode_sum, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
             course = f"${mode_sum.latex()}$; " if order else ""
             qualifier = ", apart from the common motion," if self._all.common else ""
-            text = f"The displacement of {self.setting.display_name(body)}{qualifier} is {course}{WAYS[order]}"
-            self._known[base, i] = Polynomial.of(self.book.add_step("sum of modes", text, name, formula, unit))
+            text = (
+                f"The displacement of {self.setting.display_name(body)}{qualifier} is {course}{DERIVATIVE_LEADS[order]}"
+            )
+            self._known[base, i] = Polynomial.from_expression(
+                self.book.add_step("sum of modes", text, name, formula, unit)
+            )
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
         """Return the displacement of a free coordinate, in m."""
-        return self._told(0, i, "x", METRES)
+        return self._write_mode_sum(0, i, "x", METRES)
 
     def speed(self, i: int) -> Polynomial:
         """Return the velocity of a free coordinate, in m/s."""
-        return self._told(1, i, "v", SPEED)
+        return self._write_mode_sum(1, i, "v", SPEED)
 
     def acceleration(self, i: int) -> Polynomial:
         """Return the acceleration of a free coordinate, in m/s²."""
-        return self._told(2, i, "a", ACCELERATION)
+        return self._write_mode_sum(2, i, "a", ACCELERATION)
 
     @cached_property
     def _known(self) -> dict[tuple[str, int], Polynomial]:

@@ -20,9 +20,9 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.transformations import CancelledError, derivative, limit
 from sim2reason.solutions.closed_forms import ClosedFormError, simplified_form
 from sim2reason.solutions.laws.nested import (
+    independent_symbol,
     inner_setting,
-    inserted,
-    lone_symbol,
+    insertion_sentence,
     short_formula,
     with_changed_scene,
     write_inner_answer,
@@ -65,7 +65,7 @@ class Optimum(Strategy):
         """Write the formula, its derivative, the optimal parameter and, if asked for, the extreme value."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
-        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        symbol, inner = independent_symbol(setting, query.path), inner_setting(setting)
         optimum = query.place(setting.study)
         there = setting.study.with_same_change({query.path: optimum}) if optimum is not None else None
         if there is None:
@@ -96,7 +96,7 @@ def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, expressio
         raise UnsolvedError(str(error)) from error
     step, name = book.begin_step("derivative"), book.fresh("D")
     step.rest_on(goal)
-    step.add_text(inserted(book, goal, step.derived(Symbol(goal), expression)))
+    step.add_text(insertion_sentence(book, goal, step.derived(Symbol(goal), expression)))
     derivative_latex = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
     extreme = "greatest" if query.greatest else "least"
     where = "" if core == expression else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"
@@ -164,17 +164,19 @@ class GreatestRange(Strategy):
             return "no greatest value is asked for"
         target, angle = query.target, setting.lexicon.givens[query.path].angle
         far = target is not None and target.quantity == "displacement" and isinstance(query.moment, Landed)
-        level = target is None or target.sense is None or abs(target.way(setting.mechanism)[2]) < DIRECTION_TOLERANCE
+        level = (
+            target is None or target.sense is None or abs(target.direction(setting.mechanism)[2]) < DIRECTION_TOLERANCE
+        )
         return "" if far and level and angle else "it is not about how far a body is thrown"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the trajectory, its derivative and the solution of both, and return the symbol of the answer."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
-        theta, lexicon = Symbol(lone_symbol(setting, query.path)), setting.lexicon
-        speed = lexicon.of(lambda m: hypot(*(c.speed for c in m.coordinates))).expression()
-        height = lexicon.of(lambda m: -max(c.lower for c in m.coordinates if c.lower > -inf)).expression()
-        gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+        theta, lexicon = Symbol(independent_symbol(setting, query.path)), setting.lexicon
+        speed = lexicon.formula_for(lambda m: hypot(*(c.speed for c in m.coordinates))).expression()
+        height = lexicon.formula_for(lambda m: -max(c.lower for c in m.coordinates if c.lower > -inf)).expression()
+        gravity = lexicon.formula_for(lambda m: -m.gravity[2]).expression()
         horizontal_range = book.fresh("x")
         step = book.begin_step("path")
         tangent, bent = Call("tan", theta), gravity * Power(horizontal_range, 2) / (TWO * Power(speed, 2))
@@ -243,7 +245,7 @@ class Limit(Strategy):
         """Write the formula and its limit, and return the symbol of the limit."""
         query = setting.query
         assert isinstance(query, LimitQuery)
-        symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
+        symbol, inner = independent_symbol(setting, query.path), inner_setting(setting)
         goal = write_inner_answer(inner, book, deriving_strategies(inner.query.kind, inner.mechanism))
         expression = short_formula(inner, book, goal)
         if expression is None or symbol not in expression.symbols():
@@ -259,7 +261,7 @@ class Limit(Strategy):
         step.rest_on(goal)
         which = "highest" if query.large else "lowest"
         name = book.fresh(goal, end)
-        step.add_text(inserted(book, goal, step.derived(Symbol(goal), expression)))
+        step.add_text(insertion_sentence(book, goal, step.derived(Symbol(goal), expression)))
         step.add_text(
             f"For ${symbol} \\to {end}$ only the terms with the {which} power of ${symbol}$ are left in each sum:"
         )

@@ -16,7 +16,7 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
-from sim2reason.solutions.fields.orbit_place import OrbitPlace, Turned
+from sim2reason.solutions.fields.orbit_place import OrbitPlace, PositionAfterTurn
 from sim2reason.solutions.goals import GOALS, modulus
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import StraightMotion
@@ -75,7 +75,7 @@ class AtAnomaly(OrbitPlace):
         """Write the distance r = a (1 − e cos(E₀ + η)) after the increase η of the eccentric anomaly."""
         if self._radius is not None:
             return self._radius()
-        orbit, angle = self.orbit, self.grown
+        orbit, angle = self.orbit, self.anomaly_increase
         near = ONE - orbit.e_cos_anomaly * Call("cos", angle) + orbit.e_sin_anomaly * Call("sin", angle)
         e = rf"${orbit.eccentricity_symbol.latex()} \cos {orbit.anomaly.latex()}$"
         grown = orbit.e_cos_anomaly * Call("cos", angle) - orbit.e_sin_anomaly * Call("sin", angle)
@@ -100,11 +100,11 @@ class AtAnomaly(OrbitPlace):
         orbit, name = self.orbit, self._weights[number]
         if name.name in orbit.book.values:
             return name
-        rest = ONE - Call("cos", self.grown)
+        rest = ONE - Call("cos", self.anomaly_increase)
         if number in "12":
-            formula = orbit.weights(self.grown)[int(number) - 1]
+            formula = orbit.weights(self.anomaly_increase)[int(number) - 1]
         elif number == "3":
-            swift = Root(orbit.parameter * orbit.axis) * Call("sin", self.grown)
+            swift = Root(orbit.parameter * orbit.axis) * Call("sin", self.anomaly_increase)
             formula = -(swift / (orbit.radius * self.radius))
         else:
             formula = ONE - orbit.axis / self.radius * rest
@@ -196,7 +196,7 @@ class _OnOrbit(StraightMotion):
         if len(lone) == 1 and target.sense is None:
             direct = {"velocity": "speed", "acceleration": "pull", "distance": "radius"}.get(target.quantity)
             if direct is not None:
-                symbol: Symbol = getattr(self.place(lone[0]), direct)
+                symbol: Symbol = getattr(self.position_of(lone[0]), direct)
                 return symbol
         return GOALS[target.quantity].write(target, self)
 
@@ -228,7 +228,7 @@ class _OnOrbit(StraightMotion):
         assert isinstance(moment, Away | Closest | Farthest | Orbited)
         return self._moving(moment.name)
 
-    def place(self, body: str) -> OrbitPlace:
+    def position_of(self, body: str) -> OrbitPlace:
         """Return the position of a body on its orbit at the moment."""
         if body not in self._places:
             by_time = isinstance(self.query.moment, AtTime) or self._mover != body
@@ -247,7 +247,7 @@ class _OnOrbit(StraightMotion):
         if isinstance(moment, Orbited):
             if moment.degrees == ALL_ROUND:
                 return AtAnomaly(orbit, lambda: TWO * PI, lambda: orbit.radius)
-            return Turned(orbit, moment.degrees // QUARTER)
+            return PositionAfterTurn(orbit, moment.degrees // QUARTER)
         far = isinstance(moment, Farthest)
         given = self.setting.stated is not None and self.target is not None and self.target.quantity == "distance"
         return AtAnomaly(
@@ -267,7 +267,7 @@ class _OnOrbit(StraightMotion):
         orbit = self.orbit(self._mover)
         if isinstance(moment, Orbited) and moment.degrees == ALL_ROUND:
             return orbit.period
-        return orbit.time(self._there.grown)
+        return orbit.time(self._there.anomaly_increase)
 
     def _stretch(self, query: StretchQuery) -> Symbol:
         body = self._moving(query.name)
@@ -285,7 +285,7 @@ class _OnOrbit(StraightMotion):
         which, far = FUNCTIONALS[query.functional]
         part = isinstance(query.moment, Orbited) and query.moment.degrees < ALL_ROUND
         if part or isinstance(query.moment, Farthest | Closest):
-            orbit.tell_approach(far=far)
+            orbit.write_approach(far=far)
         if which in ("speed", "pull"):
             step, where = self.book.begin_step("extreme"), "greatest" if far else "least"
             superlative, why = query.functional.partition(" ")[0], "the inverse-square law"
@@ -318,5 +318,5 @@ class _OnOrbit(StraightMotion):
         if not self.mechanism.body[body].coordinates:
             return NIL
         axis = self.orbit(body).numbers.index(k)
-        component: Expression = self.place(body).component(kind, axis)
-        return Polynomial.of(component)
+        component: Expression = self.position_of(body).component(kind, axis)
+        return Polynomial.from_expression(component)

@@ -23,12 +23,12 @@ from sim2reason.solutions.goals import GOALS, MotionPart
 from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation, measured_period
 from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates, nonlinear_reason
 from sim2reason.solutions.oscillations.net_force import greatest_target
-from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, TwoBodyModel, signed
+from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, TwoBodyModel, signed_polynomial
 from sim2reason.solutions.oscillations.to_and_fro import (
     REST_SPEED_RTOL,
     BackAndForthTravel,
-    tell_first_move,
     verify_taut,
+    write_first_move,
 )
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -100,7 +100,7 @@ class Oscillating(OneCoordinateModel):
         i = motion.free[0]
         name = self.book.fresh("x")
         self.introduce({i: name})
-        return HarmonicOscillation(self.book, motion, name, self.first(i))
+        return HarmonicOscillation(self.book, motion, name, self.initial_rate(i))
 
     def write(self) -> Symbol:
         """Write the answer to the query and return the answer's symbol."""
@@ -134,21 +134,21 @@ class Oscillating(OneCoordinateModel):
         """Return the phase ωt at the moment."""
         moment, oscillation = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
-            return oscillation.angular_frequency * self.since(self._given_time)
-        if oscillation.is_turning_point(self.since_begun):
-            return oscillation.angle_of_turning(self.since_begun)
-        return oscillation.angle_of(self._place, self.since_begun)
+            return oscillation.angular_frequency * self.shift_time_to_begin(self._given_time)
+        if oscillation.is_turning_point(self.time_since_start_position):
+            return oscillation.angle_of_turning(self.time_since_start_position)
+        return oscillation.angle_of(self._place, self.time_since_start_position)
 
     @property
-    def since_begun(self) -> float:
+    def time_since_start_position(self) -> float:
         """Return the time, s, from the instant at the position `begin` to the moment of the question."""
         return self._when - self.started
 
-    def since(self, time: Symbol) -> Symbol:
+    def shift_time_to_begin(self, time: Symbol) -> Symbol:
         """Convert a time since the start to the time since the instant at the position `begin`; by default the same."""
         return time
 
-    def until(self, time: Symbol) -> Symbol:
+    def shift_time_to_start(self, time: Symbol) -> Symbol:
         """Convert a time since the instant at the position `begin` to the time since the start; by default the same."""
         return time
 
@@ -159,19 +159,19 @@ class Oscillating(OneCoordinateModel):
         self.book.state_given(name.name, moment.after, SECONDS)
         return name
 
-    def clock(self) -> Symbol:
+    def moment_time(self) -> Symbol:
         """Return the time of the moment."""
         return self._given_time if self._timed else self._time
 
     @cached_property
     def _time(self) -> Symbol:
         """Return the time of the moment since the start, s."""
-        return self.until(self.time_since())
+        return self.shift_time_to_start(self.time_since())
 
     def time_since(self) -> Symbol:
         """Write the time, s, from the instant at the position `begin` to the moment, and return its symbol."""
         oscillation, angle, position = self.harmonic, self._angle, self._place
-        rate, turns = oscillation.angular_frequency, oscillation.is_turning_point(self.since_begun)
+        rate, turns = oscillation.angular_frequency, oscillation.is_turning_point(self.time_since_start_position)
         _ = self._first_move if turns else None
         step, time = self.book.begin_step("time"), self.time_name()
         motion = (rate * time, angle) if turns else (position, oscillation.displacement(time))
@@ -184,7 +184,7 @@ class Oscillating(OneCoordinateModel):
     @cached_property
     def _first_move(self) -> None:
         """Write the initial direction of a motion from rest, which decides the turning points."""
-        tell_first_move(self, self.motion)
+        write_first_move(self, self.motion)
 
     def time_name(self) -> Symbol:
         """Return a new symbol for the time since the instant at the position `begin`."""
@@ -218,12 +218,19 @@ class Oscillating(OneCoordinateModel):
             if isinstance(moment, Moved):
                 total_displacement = self.moved_to(moment)
                 return total_displacement - self.begin
-        if oscillation.is_turning_point(self.since_begun):
+        if oscillation.is_turning_point(self.time_since_start_position):
             _ = self._first_move
             return self.book.add_step(
-                "place", f"{self.standing} at", oscillation.name, oscillation.turning(self.since_begun), METRES
+                "place",
+                f"{self.standing} at",
+                oscillation.name,
+                oscillation.turning(self.time_since_start_position),
+                METRES,
             )
-        if abs(oscillation.state_at(self.since_begun)[0] - oscillation.numbers[1]) > 1e-6 * oscillation.amplitude_value:
+        if (
+            abs(oscillation.state_at(self.time_since_start_position)[0] - oscillation.numbers[1])
+            > 1e-6 * oscillation.amplitude_value
+        ):
             raise UnsolvedError("the moment is no mark of an oscillation")
         return oscillation.equilibrium
 
@@ -240,18 +247,18 @@ class Oscillating(OneCoordinateModel):
     def _speed(self) -> Expression:
         """Write the velocity of the free coordinate at the moment, m/s, and return it."""
         oscillation = self.harmonic
-        if not self._timed and oscillation.is_turning_point(self.since_begun):
+        if not self._timed and oscillation.is_turning_point(self.time_since_start_position):
             return ZERO
         step, name, forward = (
             self.book.begin_step("speed"),
             self.book.fresh("v"),
-            oscillation.state_at(self.since_begun)[1] > 0.0,
+            oscillation.state_at(self.time_since_start_position)[1] > 0.0,
         )
         if self._timed:
             formula: Expression = ZERO
             if oscillation.equilibrium != ZERO:
                 formula = oscillation.equilibrium * oscillation.angular_frequency * Call("sin", self._angle)
-            if oscillation.begun != ZERO:
+            if oscillation.sine_coefficient != ZERO:
                 formula = formula + oscillation.first.expression() * Call("cos", self._angle)
             shift = oscillation.displacement_at_phase(self._angle).latex()  # as a function of time
             step.add_text(
@@ -277,7 +284,7 @@ class Oscillating(OneCoordinateModel):
         return self.book.add_step("place", text, name, self.begin + self._place, METRES)
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Return the whole motion with its turning points."""
         oscillation, until = self.harmonic, self.setting.time
         turns = [
@@ -302,14 +309,14 @@ class Oscillating(OneCoordinateModel):
     def along(self, kind: str) -> Polynomial:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
         if kind == "a":
-            return NIL if self._place == self.harmonic.equilibrium else Polynomial.of(self._acceleration)
-        return signed(self.whole_place if kind == "s" else self._speed)
+            return NIL if self._place == self.harmonic.equilibrium else Polynomial.from_expression(self._acceleration)
+        return signed_polynomial(self.whole_place if kind == "s" else self._speed)
 
 
 class _Pair(TwoBodyModel, Oscillating):
     """A motion model of two bodies joined by a spring, whose relative motion oscillates."""
 
     @property
-    def stretches(self) -> Sequence[MotionPart]:
+    def motion_parts(self) -> Sequence[MotionPart]:
         """Raise UnsolvedError, since the paths of the bodies are not paths of the relative motion."""
         raise UnsolvedError("its path is no path of the relative motion")

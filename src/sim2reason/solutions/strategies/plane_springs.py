@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, sum_terms
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.root_finding import roots_sentence, substitute
@@ -30,7 +30,7 @@ from sim2reason.solutions.writing.notation import ANGULAR_SPEED, DEGREES, METRES
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
 HALF, TWO = Number(0.5), Number(2.0)
-STEEP = 0.01  # ratio of run to rise below which the tangent would lose too many digits
+MIN_RUN_TO_RISE = 0.01  # ratio of run to rise below which the tangent would lose too many digits
 PLANE = 2  # number of coordinates in a plane
 
 
@@ -107,7 +107,7 @@ class _Held(StraightMotion):
 
     def rate(self, kind: str, k: int) -> Polynomial:
         """Return the displacement from the start to the equilibrium; zero for other kinds."""
-        return Polynomial.of(self.place[k]) - self._places[k][0] if kind == "s" else NIL
+        return Polynomial.from_expression(self.place[k]) - self._places[k][0] if kind == "s" else NIL
 
     def spring(self, what: str, line: str) -> Polynomial:
         """Return a parameter of a spring; ``strain`` and ``length`` are those in equilibrium."""
@@ -115,10 +115,10 @@ class _Held(StraightMotion):
         if what == "damping":
             return NIL
         if what == "stiffness":
-            return Polynomial.of(entry.stiffness)
+            return Polynomial.from_expression(entry.stiffness)
         _ = self.place
-        length = Polynomial.of(entry.length)
-        return length - Polynomial.of(entry.natural) if what == "strain" else length
+        length = Polynomial.from_expression(entry.length)
+        return length - Polynomial.from_expression(entry.natural) if what == "strain" else length
 
     def growth(self, kind: str, line: str) -> Polynomial:
         """Return zero as a spring's change of length or its rate, since the body is at rest in equilibrium."""
@@ -193,7 +193,7 @@ class _Held(StraightMotion):
         """Return the total restoring force along an axis."""
         force: Expression = ZERO
         for spring in self.springs:
-            force = added(
+            force = sum_terms(
                 force, spring.stiffness * (ONE - spring.natural / spring.length) * (names[axis] - spring.end[axis])
             )
         return force
@@ -244,7 +244,7 @@ class _Held(StraightMotion):
 
     def _slope(self, rise: Expression, run: Expression) -> Expression:
         """Return the angle of a line with the x axis, from the cotangent if the line is steep."""
-        steep = abs(self.book.value(run)) < STEEP * abs(self.book.value(rise))
+        steep = abs(self.book.value(run)) < MIN_RUN_TO_RISE * abs(self.book.value(rise))
         return PI / TWO - Call("arctan", run / rise) if steep else Call("arctan", rise / run)
 
     def _direction(self, rank: int) -> Expression:

@@ -10,7 +10,7 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.evaluated import NumericRoot
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiply_factors, ratio, sum_terms
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.rocket import Burning, exclude_burning, tell_in_the_air
@@ -71,7 +71,7 @@ class _Burning(Burning):
             return self.time.name
         answer = self.goal.write(self.target, self).name
         above = self.uses == "s" and self.mechanism.coordinates[0].lower == 0.0  # the ground
-        if above or not self.gravity or not self.out:  # it never moves backwards
+        if above or not self.gravity or not self.is_burned_out:  # it never moves backwards
             self.book.sign_chosen = 0
         return answer
 
@@ -89,7 +89,7 @@ class _Burning(Burning):
             return name
         if isinstance(moment, Stopped):
             return self._stopping
-        if self.out:
+        if self.is_burned_out:
             return self.book.add_step(
                 "time", "The total time is", self.book.fresh("t"), self.burned + self.coast, SECONDS
             )
@@ -101,26 +101,28 @@ class _Burning(Burning):
     def _stopping(self) -> Symbol:
         """Write the time at which gravity has used up the speed gained in the burn, and return its symbol."""
         name, step = self.book.fresh("t"), self.book.begin_step("time")
-        g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
+        g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.lift_off_mass, self.dry_mass))
         risen = self._risen(name)
         law = step.law(given, g * risen)
-        formula = given / g + self._wait if self.waits else given / g
+        formula = given / g + self._wait if self.waits_on_ground else given / g
         velocity = (given - g * risen).latex()
         step.add_text("While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and")
         step.add_text(
             f"{self.name} can come to rest only after burnout. By the rocket equation with gravity, its velocity"
         )
-        step.add_text(f"is then ${velocity}$ at the time ${name.latex()}$. {self.who} comes to rest when {law},")
+        step.add_text(
+            f"is then ${velocity}$ at the time ${name.latex()}$. {self.capitalized_name} comes to rest when {law},"
+        )
         step.add_text(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
-        if self.waits and self.book.is_hidden(self.first) and not self.book.is_hidden(given):
+        if self.waits_on_ground and self.book.is_hidden(self.initial_mass) and not self.book.is_hidden(given):
             self.book.afterwards.append(lambda: self.exclude_rising(name, given / g))
         return name
 
     def _after(self, moment: Moved) -> Symbol:
         distance, name = self.book.fresh("d"), self.book.fresh("t")
         self.book.state_given(distance.name, moment.value, METRES)
-        left = self.first - self.rate_of_burning * name
+        left = self.initial_mass - self.rate_of_burning * name
         path, course = self._path(left, self._risen(name)), self.course
         step = self.book.begin_step("time")
         step.add_text(f"{course}.")
@@ -129,8 +131,8 @@ class _Burning(Burning):
         step.add_text(f"By integration, {self.name} has covered the distance ${distance.latex()}$ when {law};")
         step.add_text(f"the numerical solution is {step.result(name, root, SECONDS)}.")
         step.close()
-        spent = (self.first - self.dry) / self.rate_of_burning
-        self.told_when_known(lambda: self.verify_burning(name, spent), name, spent)
+        spent = (self.initial_mass - self.dry_mass) / self.rate_of_burning
+        self.write_when_known(lambda: self.verify_burning(name, spent), name, spent)
         return name
 
     @cached_property
@@ -142,17 +144,17 @@ class _Burning(Burning):
             return self.book.add_step("time", "Gravity then stops it after a further", name, fast / g, SECONDS)
         if isinstance(moment, AtTime):
             if self.book.is_hidden(self.time - self.burned):
-                self.tell_spent(self.time)
+                self.write_burnout(self.time)
                 self.book.afterwards.append(lambda: exclude_burning(self, self.time))
-            text = f"{self.who} then moves with its engine off for"
+            text = f"{self.capitalized_name} then moves with its engine off for"
             return self.book.add_step("time", text, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
         distance = self.book.fresh("d")
         self.book.state_given(distance.name, moment.value, METRES)
         rest = distance - high
-        self.told_when_known(lambda: self.verify_farther(distance, high), distance, high)
+        self.write_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
-            text = f"{self.who} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
+            text = f"{self.capitalized_name} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
             return self.book.add_step("time", text, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
@@ -178,15 +180,15 @@ class _Burning(Burning):
         return path - HALF * self.gravity.expression() * Power(time, 2) if self.gravity else path
 
     @cached_property
-    def left(self) -> Expression:
+    def remaining_mass(self) -> Expression:
         """Write the mass at the moment, kg, and return it."""
         moment = self.query.moment
         if isinstance(moment, AtStart):
-            return self.full
-        if isinstance(moment, BurnedOut) or self.out:
-            return self.dry
+            return self.lift_off_mass
+        if isinstance(moment, BurnedOut) or self.is_burned_out:
+            return self.dry_mass
         step, name = self.book.begin_step("mass"), self.book.fresh("m", r"\text{left}")
-        formula = added(self.first, -multiplied(self.rate_of_burning, self.time))
+        formula = sum_terms(self.initial_mass, -multiply_factors(self.rate_of_burning, self.time))
         step.add_text(f"The mass of {self.name} is then {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
@@ -194,37 +196,39 @@ class _Burning(Burning):
     def mass(self, body: str) -> Polynomial:
         """Return the mass of the rocket at the moment, in kg."""
         del body
-        left = self.left
+        left = self.remaining_mass
         assert isinstance(left, Symbol)
-        return Polynomial.of(left)
+        return Polynomial.from_expression(left)
 
     # ---- the motion
 
     def _path(self, left: Expression, time: Expression) -> Expression:
         """Return the distance covered in the burn: u t − (u m/µ) ln(m₀/m) − ½ g t²."""
-        u, log = self.exhaust, Call("ln", ratio(self.full, left))
-        path = added(multiplied(u, time), -multiplied(ratio(multiplied(u, left), self.rate_of_burning), log))
-        fall = self.gravity.scaled(-0.5).expression()
-        return added(path, multiplied(fall, Power(time, 2)) if self.gravity else NIL.expression())
+        u, log = self.exhaust, Call("ln", ratio(self.lift_off_mass, left))
+        path = sum_terms(
+            multiply_factors(u, time), -multiply_factors(ratio(multiply_factors(u, left), self.rate_of_burning), log)
+        )
+        fall = self.gravity.scale(-0.5).expression()
+        return sum_terms(path, multiply_factors(fall, Power(time, 2)) if self.gravity else NIL.expression())
 
     def rate(self, kind: str, k: int) -> Polynomial:
         """Return the acceleration, velocity or displacement of the rocket along its line."""
         del k
         if kind == "a":
-            return Polynomial.of(self._a)
-        return Polynomial.of(self._v if kind == "v" else self._s)
+            return Polynomial.from_expression(self._a)
+        return Polynomial.from_expression(self._v if kind == "v" else self._s)
 
     @cached_property
     def _a(self) -> Symbol:
-        if self.out:
+        if self.is_burned_out:
             text, formula = "With its engine off, gravity alone acts:", -self.gravity.expression()
             return self.book.add_step("newton", text, self.book.fresh("a"), formula, ACCELERATION)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
-        force = multiplied(self.rate_of_burning, self.exhaust)
-        left = self.left
+        force = multiply_factors(self.rate_of_burning, self.exhaust)
+        left = self.remaining_mass
         step = self.book.begin_step("newton")
         step.add_text(f"The thrust is {step.result(thrust, force, NEWTONS, law=True)}.")
-        formula = added(ratio(thrust, left), -self.gravity.expression())
+        formula = sum_terms(ratio(thrust, left), -self.gravity.expression())
         step.add_text(f"So {step.result(name, formula, ACCELERATION, law=True)}.")
         step.close()
         return name
@@ -233,34 +237,36 @@ class _Burning(Burning):
     def _at_end(self) -> tuple[Symbol, Symbol]:
         """Write the speed and the distance at burnout, and return their symbols."""
         mark = r"\text{out}"
-        return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
+        return self._burnt(self.ascent_duration, "v", mark), self._write_ascent_distance(self.ascent_duration, mark)
 
     def _burnt(self, risen: Expression, base: str, mark: str, before: str = "") -> Symbol:
         """Write the speed after an ascent of duration `risen` with the engine on; return its symbol."""
-        left = self.dry if self.out else self.left
-        formula = self.exhaust * Call("ln", ratio(self.full, left))
+        left = self.dry_mass if self.is_burned_out else self.remaining_mass
+        formula = self.exhaust * Call("ln", ratio(self.lift_off_mass, left))
         if self.gravity:
             formula = formula - self.gravity.expression() * risen
-        when = "at burnout is" if mark else f"at ${self.time.name}$ is" if self.out else "is then"
+        when = "at burnout is" if mark else f"at ${self.time.name}$ is" if self.is_burned_out else "is then"
         text = f"{before}{self.rocket_equation}, the velocity {when}"
         return self.book.add_step("velocity", text, self.book.fresh(base, mark), formula, SPEED)
 
-    def _gone(self, risen: Expression, mark: str) -> Symbol:
+    def _write_ascent_distance(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered in an ascent of duration `risen` with the engine on; return its symbol."""
-        left = self.dry if self.out else self.left
+        left = self.dry_mass if self.is_burned_out else self.remaining_mass
         path, by_then = self._path(left, risen), " by burnout" if mark else ""
         text = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
         return self.book.add_step("distance", text, self.book.fresh("s", mark), path, METRES)
 
     @cached_property
     def _v(self) -> Symbol:
-        if not self.out:
+        if not self.is_burned_out:
             return self._burnt(self._now, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
-            text = "" if self.tell_spent(self.time) else self.assumed_at(self.time)
+            text = "" if self.write_burnout(self.time) else self.assumed_at(self.time)
             speed, risen = self._burnt(self._risen(self.time), "v", "", text), self._risen(self.time)
             if not self.mechanism.attractions:
-                self.told_when_known(lambda: tell_in_the_air(self, speed, risen), speed, risen, self.dry, self.exhaust)
+                self.write_when_known(
+                    lambda: tell_in_the_air(self, speed, risen), speed, risen, self.dry_mass, self.exhaust
+                )
             return speed
         fast = self._at_end[0]
         if not self.gravity:
@@ -273,8 +279,8 @@ class _Burning(Burning):
         if isinstance(self.query.moment, Moved) and not isinstance(self.query, StretchQuery):
             _ = self.time
             return Symbol(next(iter(self.book.stated)))
-        if not self.out:
-            return self._gone(self._now, "")
+        if not self.is_burned_out:
+            return self._write_ascent_distance(self._now, "")
         name, (fast, high) = self.book.fresh("s"), self._at_end
         if isinstance(self.query.moment, Stopped) or isinstance(self.query, StretchQuery):
             text, fall = f"With its engine off {self.name} rises on to", 2.0 * self.gravity.expression()
@@ -288,13 +294,13 @@ class _Burning(Burning):
     @property
     def _now(self) -> Expression:
         """Return the time from lift-off to the moment of the question, at most to burnout, s."""
-        return self.rising if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
+        return self.ascent_duration if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Return the component of a vector of the rocket along a direction."""
         axis = self.mechanism.coordinates[0].axis
         along = sum(a * b for a, b in zip(axis, way, strict=True))
-        return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burn.body else NIL
+        return self.rate(kind, 0).scale(round(along)) if abs(along) > 0.5 and body == self.burn.body else NIL
 
 
 def _tops(setting: ProblemContext) -> bool:

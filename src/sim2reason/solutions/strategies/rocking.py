@@ -8,7 +8,7 @@ from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.solids import Shape
-from sim2reason.scenes.dsl.vectors import applied, dot
+from sim2reason.scenes.dsl.vectors import apply_tensor, dot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.harmonic import measured_period
@@ -82,7 +82,7 @@ class _Rocking:
         self.launch = speed / self.radius
 
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
-        return self.setting.lexicon.of(number).expression()
+        return self.setting.lexicon.formula_for(number).expression()
 
     def _size(self, field: str) -> Expression:
         given = self.setting.given(f"{self.body}.{field}")
@@ -100,7 +100,7 @@ class _Rocking:
         if spread is None:
             raise UnreadError(f"{self.setting.display_name(self.body)} is in no table")
         axis = next(c.axis for c in self.setting.mechanism.coordinates if c.kind == "hinge")
-        actual = float(dot(axis, applied(body.inertia, axis)))
+        actual = float(dot(axis, apply_tensor(body.inertia, axis)))
         for formula in candidates(spread):
             if abs(self.book.value(formula) * body.mass - actual) <= INERTIA_RTOL * actual:
                 positive = self.book.value(spread.center) > 0.0
@@ -114,7 +114,7 @@ class _Rocking:
         return self.book.add_step("table", text, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
-    def own(self) -> Symbol:
+    def own_inertia(self) -> Symbol:
         """Write the moment of inertia about the centre of mass and return its symbol."""
         _ = self.offset
         text = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
@@ -127,7 +127,7 @@ class _Rocking:
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
         text = "By the parallel-axis theorem and the law of cosines, the moment of inertia about the line of contact is"
-        return self.book.add_step("inertia", text, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
+        return self.book.add_step("inertia", text, self.book.fresh("I"), self.own_inertia + self.mass * square, INERTIA)
 
     @cached_property
     def growth(self) -> Symbol:
@@ -179,7 +179,7 @@ class _Rocking:
             size = self.book.magnitude(self.growth)
             if quantity == "torque":
                 text = "The magnitude of the torque about the centre of mass is"
-                return self.book.add_step("answer", text, self.book.fresh("M"), self.own * size, TORQUE)
+                return self.book.add_step("answer", text, self.book.fresh("M"), self.own_inertia * size, TORQUE)
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
@@ -236,7 +236,7 @@ class _Rocking:
         high = self.radius - deep if level else self.radius * cosine - deep
         text = "In equilibrium the moment of inertia about the line of contact is"
         about = self.book.add_step(
-            "inertia", text, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA
+            "inertia", text, self.book.fresh("I"), self.own_inertia + self.mass * Power(high, 2), INERTIA
         )
         text = "For a small rotation the restoring torque is proportional to the angle, so the "
         text += "angular frequency is"

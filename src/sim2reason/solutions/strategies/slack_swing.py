@@ -18,14 +18,14 @@ from sim2reason.solutions.swings.angle import UP
 from sim2reason.solutions.swings.asked import EXTREMES, quantity_of, where_extreme
 from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import (
-    FLIES,
+    FREE_FLIGHT_PHRASE,
     ON_CIRCLE,
     MotionState,
     SlackSwingPhases,
     change,
-    tell_flight,
-    tell_velocities,
     vector_magnitude,
+    write_free_flight,
+    write_velocities,
 )
 from sim2reason.solutions.writing.notation import QUANTITY_SYMBOLS, SECONDS, SPEED, magnitude_words
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
@@ -52,7 +52,7 @@ class SlackSwing(Strategy):
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         quantity, query = quantity_of(setting), setting.query
-        if quantity and quantity not in _Slack.WAYS:
+        if quantity and quantity not in _Slack.METHOD_BY_QUANTITY:
             return f"no way to the {quantity}"
         if not isinstance(query.moment, MOMENTS):
             return f"no way to the moment {type(query.moment).__name__}"
@@ -76,7 +76,7 @@ class _Slack:
         self.timed = isinstance(setting.query.moment, AtTime) or not self.quantity
         self.speed: Expression = self.swing.launch  # along the circle, at the beginning of the last phase on it
         self.since: Expression = ZERO  # beginning of the last phase
-        self.begun = 0.0  # s, its value
+        self.phase_start_time = 0.0  # s, its value
 
     # ---- the phases
 
@@ -89,7 +89,7 @@ class _Slack:
         return [event for event in self.chain.changes if event.time < end * (1.0 - EVENT_TIME_RTOL)]
 
     @cached_property
-    def flies(self) -> bool:
+    def is_slack(self) -> bool:
         """Return whether the string is slack in the last phase."""
         return self._passed[-1].kind == "slack" if self._passed else self.chain.slack_at_once
 
@@ -97,20 +97,20 @@ class _Slack:
     def last(self) -> MotionState:
         """Write all phases before that of the moment; return its initial position and velocity."""
         state, flies = self.chain.start, self.chain.slack_at_once
-        self.chain.tell_axes()
+        self.chain.write_axes()
         self._phase("the start of the motion", flies=flies)
         for event in self._passed:
             if (event.kind == "taut") != flies:
                 raise UnsolvedError("the string goes slack just where it becomes taut")
             state = self._tightened(state) if flies else self._slackened(state, event.time)
             flies = not flies
-            self.begun = event.time
+            self.phase_start_time = event.time
             self._phase(f"the string becomes {'slack' if flies else 'taut'}", flies=flies)
         return state
 
     def _phase(self, begins: str, *, flies: bool) -> None:
         """Begin a phase on the circle or in free flight."""
-        acts = FLIES if flies else ON_CIRCLE
+        acts = FREE_FLIGHT_PHRASE if flies else ON_CIRCLE
         self.book.begin_phase(
             begins, f"{self.chain.who} {acts} until the string becomes {'taut' if flies else 'slack'}"
         )
@@ -119,12 +119,12 @@ class _Slack:
         state = self.chain.goes_slack(held, time)
         if self.timed:
             angle = self.chain.angle(state, self.book.fresh(r"\phi", r"\text{s}"))
-            self._later(self.chain.times(held, self.speed).reaches(angle, time - self.begun))
+            self._later(self.chain.times(held, self.speed).reaches(angle, time - self.phase_start_time))
         return state
 
     def _tightened(self, held: MotionState) -> MotionState:
         span, before = self.chain.is_taut_again(held)
-        state, self.speed = self.chain.jerked(before)
+        state, self.speed = self.chain.write_jerk(before)
         if self.timed:
             self._later(span)
         return state
@@ -139,14 +139,14 @@ class _Slack:
     # ---- the moment
 
     @cached_property
-    def there(self) -> MotionState:
+    def moment_state(self) -> MotionState:
         """Write the position and velocity at the moment and return them."""
         moment, state = self.setting.query.moment, self.last
         if isinstance(moment, WentTaut):
-            return self.chain.is_taut_again(state)[1] if self.flies else state
+            return self.chain.is_taut_again(state)[1] if self.is_slack else state
         if isinstance(moment, AtTime):
             return self._at_time(moment, state)
-        return self.chain.highest(state) if self.flies else self.chain.turns(state)
+        return self.chain.highest(state) if self.is_slack else self.chain.turns(state)
 
     def _at_time(self, moment: AtTime, held: MotionState) -> MotionState:
         name = self.book.fresh("t")
@@ -155,20 +155,20 @@ class _Slack:
         if self.since != ZERO:
             text = "The time since then is"
             left = self.book.add_step("time", text, self.book.fresh("t"), name - self.since, SECONDS)
-        if self.flies:
+        if self.is_slack:
             return self.chain.after(held, left, f"At that time {self.chain.who} is at")
-        return self.chain.swung(held, self.chain.times(held, self.speed), left)
+        return self.chain.write_circular_motion(held, self.chain.times(held, self.speed), left)
 
     def _when(self) -> Symbol:
         """Write the time of the moment and return its symbol."""
         state = self.last
         if isinstance(self.setting.query.moment, WentTaut):
             span, _ = self.chain.is_taut_again(state)
-        elif self.flies:
+        elif self.is_slack:
             text = "The vertical velocity is zero after"
             span = self.book.add_step("time", text, self.book.fresh("t"), state.vy / self.chain.gravity, SECONDS)
         else:
-            span = self.chain.times(state, self.speed).upright(self.setting.time - self.begun)
+            span = self.chain.times(state, self.speed).write_vertical_time(self.setting.time - self.phase_start_time)
         self._later(span)
         assert isinstance(self.since, Symbol)
         return self.since
@@ -183,7 +183,7 @@ class _Slack:
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
         self.vertical = sense is not None and sense.vector == UP
-        method, why = self.WAYS[self.quantity]
+        method, why = self.METHOD_BY_QUANTITY[self.quantity]
         formula: Expression = getattr(self, method)()
         if sense is None and self.book.value(formula) < 0.0:
             formula, why = -formula, magnitude_words(why, self.quantity)
@@ -225,18 +225,18 @@ class _Slack:
     @cached_property
     def square(self) -> Expression:
         """Return the square of the speed at the moment."""
-        if self.flies and not self.extreme and self.there.vy == ZERO:
-            tell_flight(self.book, self.there)
-        return self.fastest if self.extreme else self.chain.squared(self.there)
+        if self.is_slack and not self.extreme and self.moment_state.vy == ZERO:
+            write_free_flight(self.book, self.moment_state)
+        return self.fastest if self.extreme else self.chain.squared(self.moment_state)
 
     @property
     def height(self) -> Expression:
         """Return the height above the fixed point."""
-        return -self.chain.length if self.extreme else self.there.y
+        return -self.chain.length if self.extreme else self.moment_state.y
 
     def _velocity(self) -> Expression:
         if self.vertical:
-            return self.there.vy
+            return self.moment_state.vy
         square = self.square
         return square.base if isinstance(square, Power) else Root(square)
 
@@ -247,7 +247,7 @@ class _Slack:
         return self.mass * self._velocity()
 
     def _height(self) -> Expression:
-        return self.there.y - self.chain.start.y
+        return self.moment_state.y - self.chain.start.y
 
     def _potential(self) -> Expression:
         return self.mass * self.chain.gravity * self._height()
@@ -255,16 +255,16 @@ class _Slack:
     def _displacement(self) -> Expression:
         if self.vertical:
             return self._height()
-        return vector_magnitude(self.there.x - self.chain.start.x, self._height())
+        return vector_magnitude(self.moment_state.x - self.chain.start.x, self._height())
 
     def _impulse(self) -> Expression:
-        there, start = self.there, self.chain.start
-        tell_velocities(self.book, there, start, flies=self.flies)
+        there, start = self.moment_state, self.chain.start
+        write_velocities(self.book, there, start, flies=self.is_slack)
         return self.mass * change(self.book, there, start)
 
     def _on_circle(self) -> None:
         """Raise UnsolvedError if the string is slack."""
-        if self.flies and not self.extreme:
+        if self.is_slack and not self.extreme:
             raise UnsolvedError("the string is slack")
 
     def _tension(self) -> Expression:
@@ -278,19 +278,19 @@ class _Slack:
         self._on_circle()
         if self.vertical:
             raise UnsolvedError("a component of the acceleration on the circle")
-        return vector_magnitude(self.square / ell, g * self.there.x / ell)
+        return vector_magnitude(self.square / ell, g * self.moment_state.x / ell)
 
     def _force(self) -> Expression:
         return self.mass * self._acceleration()
 
     def _deflection(self) -> Expression:
         self._on_circle()
-        return Call("arccos", -(self.there.y / self.chain.length))
+        return Call("arccos", -(self.moment_state.y / self.chain.length))
 
     def _loss(self) -> Expression:
-        return HALF * self.mass * Power(self.chain.radial(self.there), 2)
+        return HALF * self.mass * Power(self.chain.radial(self.moment_state), 2)
 
-    WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, tuple[str, str]]] = {
         "velocity": ("_velocity", "The velocity is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
         "momentum": ("_momentum", "The momentum is"),

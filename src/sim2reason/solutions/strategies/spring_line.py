@@ -13,14 +13,14 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
-from sim2reason.scenes.dsl.vectors import minus
+from sim2reason.scenes.dsl.vectors import subtract_triples
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, vector_length
 from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.oscillations.net_force import greatest_target
 from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.swings.angle import FormulaMethod
 from sim2reason.solutions.writing.notation import (
     ANGULAR_SPEED,
     METRES,
@@ -49,7 +49,7 @@ def ends(m: Mechanism) -> tuple[float, float]:
     """Return the vector, m, from the fixed end of the spring to the body at the start, along the coordinates."""
     frames, through = initial_frames(m), m.lines[0].through
     fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
-    separation = minus(frames.site(free).place, frames.site(fixed).place)
+    separation = subtract_triples(frames.site(free).place, frames.site(fixed).place)
     x, y = (sum(a * b for a, b in zip(separation, c.axis, strict=True)) for c in m.coordinates)
     return float(x), float(y)
 
@@ -77,7 +77,7 @@ class SingleSpringBody:
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
         """Return a formula for a number of the mechanism."""
-        return self.setting.lexicon.of(number).expression()
+        return self.setting.lexicon.formula_for(number).expression()
 
     @cached_property
     def length(self) -> Symbol:
@@ -85,7 +85,7 @@ class SingleSpringBody:
         text, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
         return self.book.add_step("length", text, name, vector_length(self.apart), METRES)
 
-    def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
+    def answer(self, way: FormulaMethod, turned: Callable[[Expression], Expression]) -> Symbol:
         """Write the answer by the method in `way` and return the answer's symbol; `turned` sets a formula's sign."""
         method, text = way
         along: Expression = getattr(self, method)()
@@ -127,7 +127,7 @@ class SpringLine(Strategy):
         if not isinstance(query.moment, MOMENTS):
             return f"no way to the moment {type(query.moment).__name__}"
         quantity = query.target.quantity if query.target is not None else ""
-        return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
+        return "" if quantity in ("", *_Oscillating.METHOD_BY_QUANTITY) else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the amplitude, the angular frequency, the phase and the answer, and return the answer's symbol."""
@@ -211,9 +211,9 @@ class _Oscillating(SingleSpringBody):
         if query.target is None:
             formula = self.phase / self.rate
             return self.book.add_step("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
-        return self.answer(self.WAYS[query.target.quantity], self._turned)
+        return self.answer(self.METHOD_BY_QUANTITY[query.target.quantity], self._component_or_magnitude)
 
-    def _turned(self, formula: Expression) -> Expression:
+    def _component_or_magnitude(self, formula: Expression) -> Expression:
         """Return the component that is asked for, or the magnitude."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
@@ -276,7 +276,7 @@ class _Oscillating(SingleSpringBody):
     def _whole(self) -> Expression:
         return HALF * self.stiffness * Power(self.strain, 2)
 
-    GREATEST: ClassVar[Mapping[str, Way]] = {
+    GREATEST: ClassVar[Mapping[str, FormulaMethod]] = {
         "greatest speed": ("_fastest", "It is fastest at the natural length:"),
         "greatest kinetic energy": ("_whole", "At the natural length all energy is kinetic:"),
         "greatest extension": ("_amplitude", "This is the amplitude,"),
@@ -284,7 +284,7 @@ class _Oscillating(SingleSpringBody):
         "greatest spring energy": ("_whole", "The energy is the same at both ends of the oscillation:"),
         "greatest displacement": ("_farthest", "The other end of the oscillation is at the distance"),
     }
-    WAYS: ClassVar[Mapping[str, Way]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]] = {
         "extension": ("_extension", "The change in its length is"),
         "spring length": ("_current_length", "The length is the natural length plus the extension,"),
         "spring force": ("_pull", "The spring force is"),

@@ -4,8 +4,8 @@ from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Vector, dot, minus
-from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
+from sim2reason.scenes.dsl.vectors import Vector, dot, subtract_triples
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, multiply_factors, ratio, sum_terms
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
@@ -85,7 +85,7 @@ class _InitialAccelerations(StraightMotion):
 
     def mass(self, body: str) -> Polynomial:
         """Return the mass of a body."""
-        return self.setting.lexicon.of(lambda m: m.body[body].mass)
+        return self.setting.lexicon.formula_for(lambda m: m.body[body].mass)
 
     def force(self, kind: str, name: str) -> Symbol:
         """Raise UnsolvedError, since only net forces follow."""
@@ -99,7 +99,7 @@ class _InitialAccelerations(StraightMotion):
             return NIL  # square to the component that is asked for, which has no part of it
         if k not in self._accelerations:
             raise UnsolvedError("what carries it is accelerated, too")
-        return Polynomial.of(self._accelerations[k])
+        return Polynomial.from_expression(self._accelerations[k])
 
     # ---- places
 
@@ -115,11 +115,11 @@ class _InitialAccelerations(StraightMotion):
         pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
         return {k: (a.axis, b.axis) for k, (a, b) in enumerate(pairs) if a.body == self._body}
 
-    def _apart(self, ends: list[tuple[Vector, Vector]]) -> dict[int, Polynomial]:
+    def _vector_between(self, ends: list[tuple[Vector, Vector]]) -> dict[int, Polynomial]:
         """Return the vector between two points by coordinate; `ends` has both, in the mechanism and in its twin."""
         found: dict[int, Polynomial] = {}
         for k, axes in self._axes.items():
-            values = [float(dot(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
+            values = [float(dot(subtract_triples(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
             found[k] = self.setting.lexicon.read(DualValue(values[0], values[1]))
         return found
 
@@ -127,7 +127,7 @@ class _InitialAccelerations(StraightMotion):
         kept = [part for part in apart.values() if part]
         squares: Expression = ZERO
         for part in kept:
-            squares = added(squares, Power(part.expression(), 2))
+            squares = sum_terms(squares, Power(part.expression(), 2))
         only = kept[0].expression() if len(kept) == 1 else ZERO
         sign = 1.0 if len(kept) == 1 and self.book.value(only) >= 0.0 else -1.0
         formula = (only if sign > 0.0 else -only) if len(kept) == 1 else Root(squares)
@@ -150,10 +150,10 @@ class _InitialAccelerations(StraightMotion):
             whole: Expression = ZERO
             for strength, apart, length, per_mass in pulls:
                 if apart[k]:
-                    along = multiplied(strength, ratio(apart[k].expression(), length))
-                    whole = added(whole, along if per_mass else ratio(along, mass))
+                    along = multiply_factors(strength, ratio(apart[k].expression(), length))
+                    whole = sum_terms(whole, along if per_mass else ratio(along, mass))
             weight = self._weight(k)
-            whole = added(whole, weight.expression())
+            whole = sum_terms(whole, weight.expression())
             label = self.mechanism.coordinates[k].label
             several = len(self._axes) > 1
             mark = self.setting.subscript_of(self._body)
@@ -174,7 +174,7 @@ class _InitialAccelerations(StraightMotion):
 
     def _weight(self, k: int) -> Polynomial:
         lexicon = self.setting.lexicon
-        return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
+        return lexicon.formula_for(lambda m: -m.gravity[2]) * lexicon.formula_for(lambda m: -m.coordinates[k].axis[2])
 
     def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
         """Write the force of each spring; return it, the vector to the other end, its length, and False (a force)."""
@@ -190,17 +190,20 @@ class _InitialAccelerations(StraightMotion):
             first = m.site[line.through[0]].body == self._body
             near, far = (line.through[0], line.through[1]) if first else (line.through[1], line.through[0])
             ends = [(f.site(near).place, f.site(far).place) for f in (initial_frames(m), initial_frames(lexicon.twin))]
-            apart = self._apart(ends)
+            apart = self._vector_between(ends)
             mark = str(len(found) + 1) if len(_held(m, self._body)) > 1 else ""
             which = f"Spring {mark}" if mark else "The spring"
             length = self._distance(apart, r"\ell", mark, f"{which} has the length")
             stiffness = lexicon.read(DualValue(law.stiffness, twin.law.stiffness)).expression()
             natural = lexicon.read(DualValue(law.length, twin.law.length)).expression()
             step, name = self.book.begin_step("spring"), self.book.fresh("F", mark)
-            formula, pulls = multiplied(stiffness, added(length, -natural)), "It pulls"
+            formula, pulls = multiply_factors(stiffness, sum_terms(length, -natural)), "It pulls"
             if growth := self._growing(line, apart, length):
                 damping = lexicon.read(DualValue(law.damping, twin.law.damping)).expression()
-                formula, pulls = added(formula, multiplied(damping, growth)), f"{which} and its dashpot together pull"
+                formula, pulls = (
+                    sum_terms(formula, multiply_factors(damping, growth)),
+                    f"{which} and its dashpot together pull",
+                )
             sure = self.book.value(formula) >= 0.0 and not self.book.is_hidden(formula)
             sign = "" if sure else ", a negative value being a push"
             step.add_text(f"{pulls} with the force {step.result(name, formula, NEWTONS, law=True)}{sign}.")
@@ -217,7 +220,7 @@ class _InitialAccelerations(StraightMotion):
             return None
         if any(c.speed for c in others):
             raise UnsolvedError("a damped spring between two that move")
-        away = total(apart[k] * speed for k, speed in speeds.items()).scaled(-1.0)
+        away = total(apart[k] * speed for k, speed in speeds.items()).scale(-1.0)
         step, name = self.book.begin_step("growth"), self.book.fresh("u")
         step.add_text(
             f"Its length changes at the rate {step.result(name, ratio(away.expression(), length), SPEED, law=True)}."
@@ -238,7 +241,7 @@ class _InitialAccelerations(StraightMotion):
                 (f.center(self._body).place, f.center(other).place)
                 for f in (initial_frames(m), initial_frames(lexicon.twin))
             ]
-            apart, constant = self._apart(ends), gravitational_constant(self.book, pull.constant)
+            apart, constant = self._vector_between(ends), gravitational_constant(self.book, pull.constant)
             who = capitalized(self.setting.display_name(other))
             r = self._distance(apart, "r", self.setting.subscript_of(other), f"{who} is at the distance")
             step, name = (
@@ -246,7 +249,7 @@ class _InitialAccelerations(StraightMotion):
                 self.book.fresh("g", self.setting.subscript_of(other) or "1"),
             )
             heavy = self.mass(other).expression()
-            formula = ratio(multiplied(constant, heavy), Power(r, 2))
+            formula = ratio(multiply_factors(constant, heavy), Power(r, 2))
             step.add_text(f"Its acceleration is {step.result(name, formula, ACCELERATION, law=True)}.")
             step.close()
             found.append((name, apart, r, True))

@@ -10,14 +10,23 @@ from typing import ClassVar
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.strings import GoesRound, GoesSlack
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Symbol,
+    multiply_factors,
+    ratio,
+    sum_terms,
+)
 from sim2reason.solutions.algebra.functions import Call, Power, Root, sum_of_squares
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.swings.arm import Arm, lone_axle
-from sim2reason.solutions.swings.asked import BOTH, Ends, unsupported_reason
+from sim2reason.solutions.swings.angle import FormulaMethod
+from sim2reason.solutions.swings.arm import Arm, single_axle_body
+from sim2reason.solutions.swings.asked import COMPONENT_LEADS, Ends, unsupported_reason
 from sim2reason.solutions.swings.pendulum import SwingState, geometry, pivot
 from sim2reason.solutions.swings.rigid_bodies import total_angle
 from sim2reason.solutions.writing.notation import JOULES, latex
@@ -38,7 +47,7 @@ class Swing(Strategy):
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
-        if unknown := unsupported_reason(setting, _Angular.WAYS):
+        if unknown := unsupported_reason(setting, _Angular.METHOD_BY_QUANTITY):
             return unknown
         return "it leaves its circle" if setting.earlier_event_kinds & {"slack", "taut"} else ""
 
@@ -54,31 +63,31 @@ class _Angular(SwingState):
         """Return the velocity along the arc, or its upward component."""
         if not self.vertical:
             return self.speed
-        rises = self.now * self.turning >= 0.0
-        return multiplied(self.speed if rises else -self.speed, self.sine)
+        rises = self.moment_angle * self.turning >= 0.0
+        return multiply_factors(self.speed if rises else -self.speed, self.sine)
 
     def _kinetic(self) -> Expression:
-        return multiplied(Number(0.5), multiplied(self.mass, self.squared))
+        return multiply_factors(Number(0.5), multiply_factors(self.mass, self.squared))
 
     def _potential(self) -> Expression:
-        lower = added(self.cosine_first, -self.cosine)
-        return multiplied(multiplied(self.mass, multiplied(self.gravity, self.length)), lower)
+        lower = sum_terms(self.cosine_first, -self.cosine)
+        return multiply_factors(multiply_factors(self.mass, multiply_factors(self.gravity, self.length)), lower)
 
     def _momentum(self) -> Expression:
-        return multiplied(self.mass, self._velocity())
+        return multiply_factors(self.mass, self._velocity())
 
     def _pull(self) -> Expression:
         """Return the tension T = m g cos φ + m v²/ℓ."""
         if self.line is not None and self.extreme == "fastest" and not self.book.in_symbols:
             self.book.checks.setdefault(self, self._tell_taut)
-        weight = multiplied(multiplied(self.mass, self.gravity), self.cosine)
-        bend = multiplied(self.mass, ratio(self.squared, self.length))
-        return added(weight, bend)
+        weight = multiply_factors(multiply_factors(self.mass, self.gravity), self.cosine)
+        bend = multiply_factors(self.mass, ratio(self.squared, self.length))
+        return sum_terms(weight, bend)
 
     def _tell_taut(self) -> None:
         """Write why the string never goes slack: the body stays below the fixed point, or is fast enough at the top."""
-        book, step, length = self.book, self.book.begin_step("verify"), multiplied(self.gravity, self.length)
-        low, high = multiplied(Number(2.0), length), multiplied(Number(5.0), length)
+        book, step, length = self.book, self.book.begin_step("verify"), multiply_factors(self.gravity, self.length)
+        low, high = multiply_factors(Number(2.0), length), multiply_factors(Number(5.0), length)
         if book.value(self.squared) < book.value(low):
             record_inequality(book, step, low, self.squared)
             step.add_text(
@@ -94,58 +103,58 @@ class _Angular(SwingState):
     @property
     def components(self) -> tuple[Expression, Expression]:
         """Return the centripetal acceleration v²/ℓ and the tangential acceleration g sin φ."""
-        return ratio(self.squared, self.length), multiplied(self.gravity, self.sine)
+        return ratio(self.squared, self.length), multiply_factors(self.gravity, self.sine)
 
     @property
     def ends(self) -> Ends:
         """Return g, the initial angle, and v²/2gℓ, which give the accelerations at both ends of a swing."""
         excess = Power(self.launch, 2) / (2.0 * self.gravity * self.length) if self.launch != ZERO else ZERO
-        return self.gravity, self.first, excess
+        return self.gravity, self.initial_angle, excess
 
     def _acceleration(self) -> Expression:
         inward, along = self.components
         if self.vertical:
-            return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
+            return sum_terms(multiply_factors(inward, self.cosine), -multiply_factors(along, self.sine))
         if ZERO in (inward, along):
-            return added(inward, along)
-        return Root(added(Power(inward, 2), Power(along, 2)))
+            return sum_terms(inward, along)
+        return Root(sum_terms(Power(inward, 2), Power(along, 2)))
 
     def _force(self) -> Expression:
-        return multiplied(self.mass, self._acceleration())
+        return multiply_factors(self.mass, self._acceleration())
 
     def _spin(self) -> Expression:
         return ratio(self.speed, self.length)
 
     def _spin_up(self) -> Expression:
-        return ratio(multiplied(self.gravity, self.sine), self.length)
+        return ratio(multiply_factors(self.gravity, self.sine), self.length)
 
     def _height(self) -> Expression:
-        return multiplied(self.length, added(self.cosine_first, -self.cosine))
+        return multiply_factors(self.length, sum_terms(self.cosine_first, -self.cosine))
 
     def _chord(self) -> Expression:
         if self.vertical:
-            return multiplied(self.length, added(self.cosine_first, -self.cosine))
+            return multiply_factors(self.length, sum_terms(self.cosine_first, -self.cosine))
         half = ratio(self.between, Number(2.0))
-        return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
+        return multiply_factors(multiply_factors(Number(2.0), self.length), Call("sin", half))
 
     def _swept(self) -> Expression:
-        return total_angle(self, self._seen)
+        return total_angle(self, self._engine_angles)
 
     def _travelled(self) -> Expression:
-        return multiplied(self.length, self._swept())
+        return multiply_factors(self.length, self._swept())
 
     def _impulse(self) -> Expression:
-        return multiplied(self.mass, self.change(self.launch, self.speed))
+        return multiply_factors(self.mass, self.change(self.launch, self.speed))
 
-    WAYS: ClassVar[Mapping[str, Way]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]] = {
         "velocity": ("_velocity", ""),
         "kinetic energy": ("_kinetic", "Its kinetic energy is"),
         "potential energy": ("_potential", "The change in potential energy is"),
         "momentum": ("_momentum", "Its momentum is"),
         "tension": ("_pull", "By Newton's second law along the string,"),
         "rod force": ("_pull", "By Newton's second law along the rod,"),
-        "acceleration": ("_acceleration", BOTH["acceleration"]),
-        "net force": ("_force", BOTH["net force"]),
+        "acceleration": ("_acceleration", COMPONENT_LEADS["acceleration"]),
+        "net force": ("_force", COMPONENT_LEADS["net force"]),
         "angular velocity": ("_spin", "The angular velocity is the speed over the radius,"),
         "angular acceleration": (
             "_spin_up",
@@ -179,7 +188,7 @@ class LimitingSwing(Strategy):
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason, in words, that no body swings alone about a fixed point or axle; empty if a body does."""
-        swings = pivot(mechanism) is not None or lone_axle(mechanism)
+        swings = pivot(mechanism) is not None or single_axle_body(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
@@ -201,7 +210,7 @@ class LimitingSwing(Strategy):
 def _of_axle(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     """Write the kinetic energy of a rigid body at the top, J, and return its symbol."""
     arm = Arm(setting, book)
-    first: Expression = Call("cos", arm.first)
+    first: Expression = Call("cos", arm.initial_angle)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
     text = "By conservation of energy, the kinetic energy at the highest point of the centre of mass is"
@@ -236,8 +245,8 @@ def _grows(book: SolutionBuilder, name: Symbol, varied: str) -> bool:
 def _of_body(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     """Write v² of a small body where it would turn or its string go slack, minus the critical value; return it."""
     lexicon, query = setting.lexicon, setting.query
-    length, angle, launch = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
-    gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+    length, angle, launch = (lexicon.formula_for(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
+    gravity = lexicon.formula_for(lambda m: -m.gravity[2]).expression()
     level = (sum_of_squares([launch])) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):

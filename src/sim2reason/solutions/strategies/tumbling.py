@@ -14,15 +14,15 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Numb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.asked import BOTH, of_components, quantity_of
+from sim2reason.solutions.swings.asked import COMPONENT_LEADS, of_components, quantity_of
 from sim2reason.solutions.swings.rigid_shapes import (
     angle_words,
     landing_words,
     shape_words,
     sinking_words,
-    tell,
     velocities_words,
     verify_tops,
+    write_sentence,
 )
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.lexicon import UnreadError
@@ -58,7 +58,7 @@ class Tumbling(Strategy):
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query, quantity = setting.query, quantity_of(setting)
-        if quantity and quantity not in _Tumbling.WAYS:
+        if quantity and quantity not in _Tumbling.METHOD_BY_QUANTITY:
             return f"no way to the {quantity}"
         if not isinstance(query.moment, MOMENTS) or not quantity:
             return f"no way to the moment {type(query.moment).__name__}"
@@ -75,7 +75,7 @@ class _Tumbling:
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
-        body, read = setting.mechanism.bodies[0].name, setting.lexicon.of
+        body, read = setting.mechanism.bodies[0].name, setting.lexicon.formula_for
         radius, sides = setting.given(f"{body}.radius"), getattr(setting.scene.bodies.get(body), "sides", 0)
         if radius is None or not sides:
             raise UnreadError("its shape is not known")
@@ -95,12 +95,12 @@ class _Tumbling:
         self.edges = 0  # number of landings before the current phase
         self.rate: Expression = self.launch  # angular velocity at the beginning of that phase
         self.since: Expression = ZERO  # beginning of that phase
-        self.begun = 0.0  # s, its value
+        self.phase_start_time = 0.0  # s, its value
 
     # ---- moments of inertia, energy
 
     @cached_property
-    def own(self) -> Symbol:
+    def axis_inertia(self) -> Symbol:
         """Write the moment of inertia about the axis and return its symbol."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
         text = shape_words(self.who, round(self.sides), self.turn)
@@ -110,7 +110,7 @@ class _Tumbling:
     def about(self) -> Symbol:
         """Write the moment of inertia of the prism about an edge and return its symbol."""
         text = "By the parallel-axis theorem, the moment of inertia about an edge is"
-        formula = self.own + self.mass * Power(self.radius, 2)
+        formula = self.axis_inertia + self.mass * Power(self.radius, 2)
         return self.book.add_step("inertia", text, self.book.fresh("I"), formula, INERTIA)
 
     @property
@@ -131,14 +131,14 @@ class _Tumbling:
         return [e for e in events_before(self.setting.motion.events, self.setting.time) if e.kind == "land"]
 
     @cached_property
-    def natural(self) -> Symbol:
+    def pendulum_frequency(self) -> Symbol:
         """Write √(m g R/I), the frequency of the equivalent pendulum about an edge, rad/s, and return its symbol."""
         text = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
         name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
         return self.book.add_step("natural", text, name, formula, ANGULAR_SPEED)
 
     def _times(self) -> SwingTime:
-        return SwingTime(self.book, self.natural, PI + self.begins, self.rate, 1.0)
+        return SwingTime(self.book, self.pendulum_frequency, PI + self.begins, self.rate, 1.0)
 
     def _through(self) -> None:
         """Write all phases before that of the moment."""
@@ -150,13 +150,13 @@ class _Tumbling:
                 self._lands_after(event.time)
             rates.append(self.rate)
             self._lands()
-            self.edges, self.begun = self.edges + 1, event.time
+            self.edges, self.phase_start_time = self.edges + 1, event.time
             self.book.begin_phase("an edge lands", f"the next edge of {self.who} lands")
         verify_tops(self.book, [*rates, self.rate], self.about, self.weight, self.begins)
 
     def _lands_after(self, time: float) -> None:
         end = PI + (self.slope + self.half if self.slope != ZERO else self.half)
-        span = self._times().reaches(end, time - self.begun)
+        span = self._times().reaches(end, time - self.phase_start_time)
         if self.since == ZERO:
             self.since = span
         else:
@@ -177,7 +177,7 @@ class _Tumbling:
         step.add_text(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
         step.close()
         step = book.begin_step("landing")
-        left = self.own + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
+        left = self.axis_inertia + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
         law = step.law(self.about * after, left * fast)
         step.add_text(landing_words(self.radius * fast, self.turn, law))
         step.add_text(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
@@ -185,7 +185,7 @@ class _Tumbling:
         self.rate = after
 
     @cached_property
-    def turned(self) -> Expression:
+    def turned_angle(self) -> Expression:
         """Write the angle turned about the last edge at the moment and return it."""
         moment = self.setting.query.moment
         self._through()
@@ -208,7 +208,7 @@ class _Tumbling:
     @property
     def angle(self) -> Expression:
         """Return the angle at the moment, positive downhill."""
-        turned = self.turned
+        turned = self.turned_angle
         if self.highest:
             return ZERO
         return self._swung - PI if isinstance(self.setting.query.moment, AtTime) else self.begins + turned
@@ -247,7 +247,7 @@ class _Tumbling:
         """Write the angular acceleration at the moment and return it."""
         if self.angle == ZERO:
             return ZERO
-        tell(self.book, angle_words(self.half, self.angle))
+        write_sentence(self.book, angle_words(self.half, self.angle))
         text = "The torque of gravity about the edge divided by the moment of inertia is"
         formula = self.weight * Call("sin", self.angle) / self.about
         return self.book.add_step("torque", text, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
@@ -257,13 +257,13 @@ class _Tumbling:
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")
-        attribute: Expression | Callable[[], Expression] = getattr(self, self.WAYS[quantity][0])
-        formula, text = attribute() if callable(attribute) else attribute, self.WAYS[quantity][1]
+        attribute: Expression | Callable[[], Expression] = getattr(self, self.METHOD_BY_QUANTITY[quantity][0])
+        formula, text = attribute() if callable(attribute) else attribute, self.METHOD_BY_QUANTITY[quantity][1]
         if self.book.value(formula) < 0.0:
             formula, text = -formula, magnitude_words(text, quantity)
         if isinstance(formula, Symbol):
             return formula
-        if quantity in BOTH:
+        if quantity in COMPONENT_LEADS:
             text = of_components(
                 quantity, self.radius * sum_of_squares([self.spin]), self.radius * self.growth, begins=True
             )
@@ -291,27 +291,27 @@ class _Tumbling:
         return HALF * self.mass * Power(self._velocity(), 2)
 
     def _turning_energy(self) -> Expression:
-        return HALF * self.own * Power(self.spin, 2)
+        return HALF * self.axis_inertia * Power(self.spin, 2)
 
     def _angular_momentum(self) -> Expression:
-        return self.own * self.spin
+        return self.axis_inertia * self.spin
 
     def _torque(self) -> Expression:
-        return self.own * self.growth
+        return self.axis_inertia * self.growth
 
     def _impulse(self) -> Expression:
-        bent = self.launch * self.spin * Call("cos", self.turned)
-        text = velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
-        tell(self.book, text)
+        bent = self.launch * self.spin * Call("cos", self.turned_angle)
+        text = velocities_words(self.turned_angle, highest=self.highest, landed=self.edges > 0)
+        write_sentence(self.book, text)
         return self.mass * self.radius * Root(sum_of_squares([self.launch]) + sum_of_squares([self.spin]) - TWO * bent)
 
-    WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, tuple[str, str]]] = {
         "velocity": ("_velocity", "The speed of the centre is the angular speed times the radius,"),
         "momentum": ("_momentum", "The momentum is"),
         "angular velocity": ("spin", "The angular velocity is"),
         "angular acceleration": ("growth", "The angular acceleration is"),
-        "acceleration": ("_acceleration", BOTH["acceleration"]),
-        "net force": ("_force", BOTH["net force"]),
+        "acceleration": ("_acceleration", COMPONENT_LEADS["acceleration"]),
+        "net force": ("_force", COMPONENT_LEADS["net force"]),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
         "translational kinetic energy": ("_moving_energy", "The kinetic energy of the motion of the centre of mass is"),
         "rotational kinetic energy": ("_turning_energy", "The kinetic energy of the rotation about the axis is"),

@@ -6,7 +6,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from math import isclose, radians
 
-from sim2reason.grading.parts import LABELS
+from sim2reason.grading.parts import PART_LABELS
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.kinds.nested import WhichKind, WhichQuery
 from sim2reason.questions.moments import Moment
@@ -16,8 +16,8 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.equivalent_questions import instants, is_number_of, number_unit
 from sim2reason.solutions.multipart import LAWS, UNCLEAR, sequential_solutions
 from sim2reason.solutions.multipart.names import are_same_meaning, meanings, names_in_text, renamed_step, unit_of
-from sim2reason.solutions.multipart.quoting import AS_IN_PART, SO, cited_labels
-from sim2reason.solutions.multipart.recall import EARLIER, reduce_givens
+from sim2reason.solutions.multipart.quoting import AS_IN_PART, CONSEQUENCE_OPENING, cited_labels
+from sim2reason.solutions.multipart.recall import RECALLED_STEP_KIND, reduce_givens
 from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution, Step
 from sim2reason.solutions.solve import solve
@@ -26,7 +26,7 @@ from sim2reason.solutions.writing.arrangement import SOLVE_KIND
 from sim2reason.solutions.writing.notation import DEGREES
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
-REFERENCES = EARLIER, "equations", "reference", "givens"
+REFERENCES = RECALLED_STEP_KIND, "equations", "reference", "givens"
 """Kinds of steps that only quote an earlier part or the givens, and are left out in one text."""
 
 
@@ -61,7 +61,7 @@ def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) ->
     """Return a step renumbered for the whole text, with the new numbers of the steps that it needs."""
     needs = {places[need] for need in step.needs if need in places}
     needs |= {source[name] for name in (*step.symbols(), *cited_labels(step.text)) if name in source}
-    text = step.text.replace(AS_IN_PART.format(LABELS[0]), SO)
+    text = step.text.replace(AS_IN_PART.format(PART_LABELS[0]), CONSEQUENCE_OPENING)
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)), text=text)
 
 
@@ -76,7 +76,7 @@ def enter(part: Solution, book: SolutionBuilder) -> None:
         if name not in book.values:
             book.reserve(name)
             book.set_value(name, value, unit_of(name, part))
-    book.keen = max(book.keen, part.keen)
+    book.condition_number = max(book.condition_number, part.condition_number)
 
 
 def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:

@@ -14,12 +14,12 @@ from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.scenes.dsl.vectors import Vector
-from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, sum_terms
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.oscillations.net_force import is_slow_at_greatest
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.swings.asked import (
-    BOTH,
+    COMPONENT_LEADS,
     EXTREMES,
     PLACES,
     Ends,
@@ -35,30 +35,30 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 REST_SPEED_RTOL, ANGLE_TOLERANCE = 1e-5, 1e-6  # tolerance relative to the greatest speed; tolerance in rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
-SMALL = "The angular frequency of small oscillations is"
-PASSED = "Having passed the lowest point, it has turned through"
-LOST = "The height lost is"  # where it is below its starting point
-Way = tuple[str, str]  # the method that gives a formula, and what is said before it
+SMALL_OSCILLATIONS_LEAD = "The angular frequency of small oscillations is"
+PASSED_LOWEST_LEAD = "Having passed the lowest point, it has turned through"
+HEIGHT_LOST_LEAD = "The height lost is"  # where it is below its starting point
+FormulaMethod = tuple[str, str]  # the method that gives a formula, and what is said before it
 
 
 class SwingAngle(ABC):
     """A swing's angle from the downward vertical, positive on its initial side, written as needed.
 
-    Subclasses set `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
-    and its rate, `turned`, the angle turned through, and `way`, the initial sign of the rate. Values only determine
-    signs. `WAYS` maps each quantity to its formula and words.
+    Subclasses set `initial_angle`, the angle at the start, `initial_angle_value`, its value, `moment_angle` and `turning`, the angle at the moment
+    and its rate, `turned`, the angle turned through, and `initial_rate_sign`, the initial sign of the rate. Values only determine
+    signs. `METHOD_BY_QUANTITY` maps each quantity to its formula and words.
     """
 
-    first: Expression
-    began: float
-    now: float
+    initial_angle: Expression
+    initial_angle_value: float
+    moment_angle: float
     turned: float
     turning: float
-    way: float
-    WAYS: ClassVar[Mapping[str, Way]]
+    initial_rate_sign: float
+    METHOD_BY_QUANTITY: ClassVar[Mapping[str, FormulaMethod]]
     senses: ClassVar[tuple[Vector, ...]] = (UP,)  # directions of available components
     one_point = True  # a single small body swings
-    falls = True  # the centre of mass is on the side from which the angle is measured
+    is_falling = True  # the centre of mass is on the side from which the angle is measured
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question, without writing anything."""
@@ -75,7 +75,7 @@ class SwingAngle(ABC):
         return "slowest" if turns else entry[1]
 
     @property
-    def still(self) -> bool:
+    def is_at_rest(self) -> bool:
         """Return whether the body is at rest at the moment, if only for an instant."""
         moment = self.setting.query.moment
         if self.extreme:
@@ -91,19 +91,23 @@ class SwingAngle(ABC):
 
     @cached_property
     @abstractmethod
-    def natural(self) -> Symbol:
+    def small_oscillation_frequency(self) -> Symbol:
         """Return the angular frequency of small oscillations, rad/s."""
 
     @cached_property
     @abstractmethod
-    def spin(self) -> Expression:
+    def initial_angular_speed(self) -> Expression:
         """Return the angular speed at the start, rad/s."""
 
     @cached_property
     def times(self) -> SwingTime:
         """Return the solver that relates time and the angle of the centre of mass by elliptic integrals."""
-        first, sense = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
-        return SwingTime(self.book, self.natural, first, self.spin, sense)
+        initial_angle, sense = (
+            (self.initial_angle, self.initial_rate_sign)
+            if self.is_falling
+            else (sum_terms(PI, -self.initial_angle), -self.initial_rate_sign)
+        )
+        return SwingTime(self.book, self.small_oscillation_frequency, initial_angle, self.initial_angular_speed, sense)
 
     def _when(self) -> Symbol:
         """Write the time of the moment and return its symbol."""
@@ -111,14 +115,14 @@ class SwingAngle(ABC):
         if isinstance(self.setting.query.moment, Deflected):
             return self.times.reaches(self._stated, time)
         if isinstance(self.setting.query.moment, TurnedThrough | WentSlack):
-            return self.times.reaches(self.angle if self.falls else added(PI, -self.angle), time)
-        return self.times.upright(time)
+            return self.times.reaches(self.angle if self.is_falling else sum_terms(PI, -self.angle), time)
+        return self.times.write_vertical_time(time)
 
     def _at_time(self, moment: AtTime) -> Expression:
         name = self.book.fresh("t")
         self.book.state_given(name.name, moment.after, SECONDS)
         angle = self.times.angle(name)
-        return angle if self.falls else added(PI, -angle)
+        return angle if self.is_falling else sum_terms(PI, -angle)
 
     @cached_property
     def angle(self) -> Expression:
@@ -127,32 +131,32 @@ class SwingAngle(ABC):
         if self.extreme:
             return self._at_extreme()
         if isinstance(moment, AtStart):
-            return self.first
+            return self.initial_angle
         if isinstance(moment, AtTime):
             return self._at_time(moment)
         if isinstance(moment, Deflected | TurnedThrough):
             turns = isinstance(moment, TurnedThrough)
-            size = self._stated if turns or self.falls else PI - self._stated
-            signed = size if (self.turned > 0.0 if turns else self.now >= 0.0) else -size
-            return added(self.first, signed) if turns else signed
+            size = self._stated if turns or self.is_falling else PI - self._stated
+            signed = size if (self.turned > 0.0 if turns else self.moment_angle >= 0.0) else -size
+            return sum_terms(self.initial_angle, signed) if turns else signed
         if isinstance(moment, WentSlack):
             return self._slack()
-        return self._turned() if self.still else self._upright()
+        return self._write_turning_angle() if self.is_at_rest else self._upright()
 
     def _upright(self) -> Expression:
         """Return the angle of a swing at its lowest point, 0, or at its highest point, π."""
-        if abs(self.now) < ANGLE_TOLERANCE:
+        if abs(self.moment_angle) < ANGLE_TOLERANCE:
             return ZERO
-        if abs(abs(self.now) - pi) > ANGLE_TOLERANCE:
+        if abs(abs(self.moment_angle) - pi) > ANGLE_TOLERANCE:
             raise UnsolvedError("the angle at that moment is not known")
         return Number(pi)
 
     def _at_extreme(self) -> Expression:
         if self.extreme == "fastest":
-            return ZERO if self.falls else Number(pi)
+            return ZERO if self.is_falling else Number(pi)
         if self.goes_round:
-            return Number(pi) if self.falls else ZERO
-        return self._turned()
+            return Number(pi) if self.is_falling else ZERO
+        return self._write_turning_angle()
 
     @cached_property
     def _stated(self) -> Symbol:
@@ -163,13 +167,13 @@ class SwingAngle(ABC):
         return name
 
     @abstractmethod
-    def _turned(self) -> Expression:
+    def _write_turning_angle(self) -> Expression:
         """Write the angle of the turning point and return it with its sign."""
 
     @cached_property
     def reach(self) -> Expression:
         """Return the magnitude of the angle at the turning point."""
-        angle = self.first if self.spin == ZERO else self._turned()
+        angle = self.initial_angle if self.initial_angular_speed == ZERO else self._write_turning_angle()
         return -angle if angle.latex().startswith("-") else angle
 
     def _slack(self) -> Expression:
@@ -181,7 +185,7 @@ class SwingAngle(ABC):
     @property
     def cosine_first(self) -> Expression:
         """Return the cosine of the angle at the start."""
-        return Call("cos", self.first) if self.first != ZERO else ONE
+        return Call("cos", self.initial_angle) if self.initial_angle != ZERO else ONE
 
     @property
     def cosine(self) -> Expression:
@@ -204,7 +208,7 @@ class SwingAngle(ABC):
     @property
     def between(self) -> Expression:
         """Return the magnitude of the angle turned since the start."""
-        difference = added(self.angle, -self.first)
+        difference = sum_terms(self.angle, -self.initial_angle)
         return difference if self.book.value(difference) >= 0.0 else -difference
 
     _law_of_cosines = ""  # beginning of a sentence about the change in momentum, if the velocity changes direction
@@ -215,7 +219,7 @@ class SwingAngle(ABC):
             return speed if begun == ZERO else begun
         bent = self.cosine * self.cosine_first if self.sine == ZERO else Call("cos", self.between)
         along = TWO * begun * speed * bent
-        onward = self.way * self.turning > 0.0
+        onward = self.initial_rate_sign * self.turning > 0.0
         along = along if onward else -along
         if self.sine != ZERO:
             turned = f"${self.between.latex()}$" if onward else f"$180^\\circ - {self.between.latex()}$"
@@ -233,13 +237,15 @@ class SwingAngle(ABC):
         sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector) and sense.vector not in self.senses:
             raise UnsolvedError(f"no way to the component along {sense.positive}")
-        self._tell_where(quantity)
-        formula: Expression = getattr(self, self.WAYS[quantity][0])()
+        self._write_extreme_position(quantity)
+        formula: Expression = getattr(self, self.METHOD_BY_QUANTITY[quantity][0])()
         formula = -formula if (turned := sense is None and self.book.value(formula) < 0.0) else formula
         if isinstance(formula, Symbol) and (self.setting.unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        text = self.said(quantity) or "So"
-        text = LOST if turned and quantity == "height" else magnitude_words(text, quantity) if turned else text
+        text = self.lead_text(quantity) or "So"
+        text = (
+            HEIGHT_LOST_LEAD if turned and quantity == "height" else magnitude_words(text, quantity) if turned else text
+        )
         answer = self.book.add_step(
             "answer", text, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
         )
@@ -251,16 +257,16 @@ class SwingAngle(ABC):
         """Return centripetal and tangential acceleration of the centre of mass; None if it moves on no circle."""
         return None
 
-    def said(self, quantity: str) -> str:
+    def lead_text(self, quantity: str) -> str:
         """Return the words before the formula of a quantity; those of an acceleration name its components."""
-        if quantity in BOTH and not self.vertical and (components := self.components) is not None:
-            return of_components(quantity, *components, begins=not self.still)
+        if quantity in COMPONENT_LEADS and not self.vertical and (components := self.components) is not None:
+            return of_components(quantity, *components, begins=not self.is_at_rest)
         if quantity == "impulse of the net force" and self._law_of_cosines:
             return self._law_of_cosines
-        passed = quantity == "angle turned" and self.first != ZERO and self.angle.negative
-        return PASSED if passed else self.WAYS[quantity][1]
+        passed = quantity == "angle turned" and self.initial_angle != ZERO and self.angle.negative
+        return PASSED_LOWEST_LEAD if passed else self.METHOD_BY_QUANTITY[quantity][1]
 
-    def _tell_where(self, quantity: str) -> None:
+    def _write_extreme_position(self, quantity: str) -> None:
         """Write where the quantity is extreme and why; nothing for an extreme angle, height or displacement."""
         query = self.setting.query
         if not self.extreme or not isinstance(query, StretchQuery) or quantity in PLACES:
@@ -300,7 +306,7 @@ class SwingAngle(ABC):
         if isinstance(self.angle, Number):
             raise UnsolvedError("the angle is that of the lowest or highest point")
         size = -self.angle if self.angle.negative else self.angle
-        return size if self.falls else PI - size
+        return size if self.is_falling else PI - size
 
     def _between(self) -> Expression:
         return self.between

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.vectors import Vector, applied, dot, minus
+from sim2reason.scenes.dsl.vectors import Vector, apply_tensor, dot, subtract_triples
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import ProblemContext, capitalized
@@ -31,7 +31,7 @@ POINTS = {  # reference points of bodies in the text
 }
 
 
-def lone_axle(m: Mechanism) -> str:
+def single_axle_body(m: Mechanism) -> str:
     """Return the only body on a fixed horizontal axle, which may carry others fixed to it; else empty."""
     if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > INERTIA_RTOL:
         return ""
@@ -51,7 +51,7 @@ class Piece:
     inertia: Expression  # about its own centre of mass
 
 
-FLAT = ("Disc", "Hoop")  # thin bodies, in which a line across the axis is a diameter
+THIN_BODIES = ("Disc", "Hoop")  # thin bodies, in which a line across the axis is a diameter
 
 
 class Arm:
@@ -59,24 +59,24 @@ class Arm:
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder, carrier: str = "") -> None:
         """Take the arm on the axle of a carrying body, by default the only axle; UnreadError for an unknown number."""
-        self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
+        self.setting, self.book, self.carrier = setting, book, carrier or single_axle_body(setting.mechanism)
         self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
         turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]
         self.bodies = [body.name for body in turning if body.mass]
         self._pieces: dict[str, Piece] = {}
 
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
-        return self.setting.lexicon.of(number).expression()
+        return self.setting.lexicon.formula_for(number).expression()
 
     # ---- where the arm points
 
-    def way(self, m: Mechanism) -> Vector:
+    def initial_direction(self, m: Mechanism) -> Vector:
         """Return the unit vector along the arm at the start, from the axle towards the first body on it."""
         frames = initial_frames(m)
         first = self.bodies[0]
-        offset = minus(frames[first].origin, frames[self.carrier].origin)
+        offset = subtract_triples(frames[first].origin, frames[self.carrier].origin)
         if hypot(*offset) < INERTIA_RTOL:
-            offset = minus(frames.center(first).place, frames[self.carrier].origin)
+            offset = subtract_triples(frames.center(first).place, frames[self.carrier].origin)
         x, y, z = (float(part) / hypot(*offset) for part in offset)
         return x, y, z
 
@@ -92,7 +92,7 @@ class Arm:
         """
         m = self.setting.mechanism
         state, number = self.setting.study.trace.sample(times), m.number[m.body[self.carrier].coordinates[0].name]
-        direction, side = self.way(m), 1.0 if self.begins_right else -1.0
+        direction, side = self.initial_direction(m), 1.0 if self.begins_right else -1.0
         sense = -side * self.axis[1]  # about y, what points to the right goes down
         turned = sense * state.q[:, number]
         angles = side * atan2(direction[0], -direction[2]) + turned
@@ -101,14 +101,14 @@ class Arm:
     @property
     def begins_right(self) -> bool:
         """Return whether the arm points to the right at the start, or straight down or up."""
-        return self.way(self.setting.mechanism)[0] >= 0.0
+        return self.initial_direction(self.setting.mechanism)[0] >= 0.0
 
     def _deflection(self, m: Mechanism) -> float:
-        x, _, z = self.way(m)
+        x, _, z = self.initial_direction(m)
         return abs(atan2(x, -z))
 
     @cached_property
-    def first(self) -> Expression:
+    def initial_angle(self) -> Expression:
         """Return the angle of the arm with the downward vertical at the start."""
         return self._read(self._deflection)
 
@@ -151,11 +151,15 @@ class Arm:
 
         def origin(m: Mechanism) -> float:
             frames = initial_frames(m)
-            return float(dot(minus(frames[body].origin, frames[self.carrier].origin), self.way(m)))
+            return float(
+                dot(subtract_triples(frames[body].origin, frames[self.carrier].origin), self.initial_direction(m))
+            )
 
         def center(m: Mechanism) -> float:
             frames = initial_frames(m)
-            return float(dot(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
+            return float(
+                dot(subtract_triples(frames.center(body).place, frames[self.carrier].origin), self.initial_direction(m))
+            )
 
         if not any(self.setting.mechanism.body[body].inertia):
             return self._read(center)  # a small body at the end of a rod
@@ -191,7 +195,7 @@ class Arm:
     def _own(self, body: str, mass: Expression) -> Expression:
         """Write the moment of inertia of a body about its own centre of mass, parallel to the axle; return it."""
         rigid_body = self.setting.mechanism.body[body]
-        actual = float(dot(self.axis, applied(rigid_body.inertia, self.axis)))
+        actual = float(dot(self.axis, apply_tensor(rigid_body.inertia, self.axis)))
         if actual <= 0.0:
             return ZERO
         shape = self._shape(body)
@@ -199,7 +203,7 @@ class Arm:
         for formula, why in self._inertias(spread):
             if abs(self.book.value(formula) * rigid_body.mass - actual) <= INERTIA_RTOL * actual:
                 line = "the line through its centre of mass parallel to the axle"
-                flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
+                flat = type(shape).__name__ in THIN_BODIES and spread is not None and formula == candidates(spread)[0]
                 line = f"{line}, a diameter of it," if flat else line
                 text = f"The moment of inertia of {self.setting.display_name(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.subscript_of(body)) if p))

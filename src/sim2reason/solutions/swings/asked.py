@@ -50,7 +50,7 @@ def turns_back(setting: ProblemContext, noun: str) -> str:
     return f"{noun} turns back{highest} where all kinetic energy has become potential energy:"
 
 
-def straight(setting: ProblemContext, *, below: bool) -> str:
+def straight_clause(setting: ProblemContext, *, below: bool) -> str:
     """Return a clause on an arm's position: centre of mass straight below or above the axle, or *at that moment*."""
     if isinstance(setting.query.moment, LowestPoint | HighestPoint):
         return f"with the centre of mass straight {'below' if below else 'above'} the axle"
@@ -84,7 +84,7 @@ def unsupported_reason(setting: ProblemContext, quantities: Collection[str]) -> 
     return "" if known else f"no way to the quantity {quantity_of(setting)}"
 
 
-BOTH = {
+COMPONENT_LEADS = {
     "acceleration": "From the centripetal and tangential components, the acceleration is",
     "net force": "By Newton's second law, with centripetal and tangential acceleration,",
 }
@@ -97,8 +97,8 @@ def of_components(quantity: str, inward: Expression, along: Expression, *, begin
 
     `inward` is the centripetal and `along` the tangential acceleration; `begins` is true at the start of the motion.
     """
-    if quantity not in BOTH or ZERO not in (inward, along) or inward == along:
-        return BOTH.get(quantity, "")
+    if quantity not in COMPONENT_LEADS or ZERO not in (inward, along) or inward == along:
+        return COMPONENT_LEADS.get(quantity, "")
     if inward == ZERO:
         when = AT_START if begins else TURNING
         why = f"{when} the angular velocity is zero, so the acceleration is only tangential"

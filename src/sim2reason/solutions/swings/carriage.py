@@ -7,16 +7,16 @@ from math import copysign
 from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
-from sim2reason.solutions.algebra.functions import summed
+from sim2reason.solutions.algebra.functions import sum_formulas
 from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, capitalized
 from sim2reason.solutions.swings.arm import Arm
 from sim2reason.solutions.writing.steps import SolutionBuilder
 
 
 @dataclass(frozen=True, slots=True)
-class Pull:
+class CarriagePull:
     """A string that pulls the carriage along or against its axis, held by a hand or by a hanging body."""
 
     line: str
@@ -30,7 +30,7 @@ class CarriageSystem:
 
     carriage: str
     arm: str
-    pulls: tuple[Pull, ...]
+    pulls: tuple[CarriagePull, ...]
 
 
 def carriage_system(m: Mechanism) -> CarriageSystem | None:
@@ -62,7 +62,7 @@ def carriage_system(m: Mechanism) -> CarriageSystem | None:
     )
 
 
-def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
+def _pull(m: Mechanism, line: Line, rail: Coordinate) -> CarriagePull | None:
     """Return the pull of a string that runs along the rail from the carriage; None for any other string."""
     on = [index for index, site in enumerate(line.through) if m.site[site].body == rail.body]
     if len(on) != 1 or on[0] not in (0, len(line.through) - 1) or line.wheels or line.circle:
@@ -70,21 +70,21 @@ def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
     names = line.through if on[0] == 0 else line.through[::-1]
     inner, outer = names[:-1], m.site[names[-1]]
     frames = initial_frames(m)
-    direction = minus(frames.site(names[1]).place, frames.site(names[0]).place)
+    direction = subtract_triples(frames.site(names[1]).place, frames.site(names[0]).place)
     fixed = all(m.site[site].body is None for site in inner[1:])
     if not fixed or abs(abs(dot(direction, rail.axis)) - dot(direction, direction) ** 0.5) > DIRECTION_TOLERANCE:
         return None
     side = copysign(1.0, float(dot(direction, rail.axis)))
     if isinstance(line.law, ConstantTension):
-        return Pull(line.name, side) if outer.body is None else None
+        return CarriagePull(line.name, side) if outer.body is None else None
     plain = isinstance(line.law, Inextensible) and not line.law.slack and not line.law.reel
-    down = minus(frames.site(names[-1]).place, frames.site(names[-2]).place)
+    down = subtract_triples(frames.site(names[-1]).place, frames.site(names[-2]).place)
     hangs = (
         outer.body is not None and down[2] < 0.0 and abs(abs(down[2]) - dot(down, down) ** 0.5) < DIRECTION_TOLERANCE
     )
     own = m.body[outer.body].coordinates if outer.body is not None else ()
     free = len(own) == 1 and own[0].kind == "slide" and abs(own[0].axis[2]) > 1.0 - DIRECTION_TOLERANCE
-    return Pull(line.name, side, outer.body) if plain and hangs and free and outer.body else None
+    return CarriagePull(line.name, side, outer.body) if plain and hangs and free and outer.body else None
 
 
 class Carriage:
@@ -97,7 +97,7 @@ class Carriage:
         self.setting, self.riding = setting, system
         self.arm = Arm(setting, book, system.arm)
         self._rail = setting.mechanism.body[system.carriage].coordinates[0].axis
-        self.forward = copysign(1.0, float(dot(self._rail, self.arm.way(setting.mechanism))))
+        self.forward = copysign(1.0, float(dot(self._rail, self.arm.initial_direction(setting.mechanism))))
 
     @property
     def way(self) -> str:
@@ -112,7 +112,7 @@ class Carriage:
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
         """Return a formula for a number of the mechanism."""
-        return self.setting.lexicon.of(number).expression()
+        return self.setting.lexicon.formula_for(number).expression()
 
     def mass(self, body: str) -> Expression:
         """Return the mass of a body, kg."""
@@ -126,12 +126,12 @@ class Carriage:
     @cached_property
     def sliding_mass(self) -> Expression:
         """Return the total mass of the carriage and of the bodies that hang from its strings, kg."""
-        return summed(self.mass(body) for body in self.moving_along)
+        return sum_formulas(self.mass(body) for body in self.moving_along)
 
     @cached_property
     def swinging_mass(self) -> Expression:
         """Return the mass of the arm with the bodies on it, kg."""
-        return summed(self.arm.piece(body).mass for body in self.arm.bodies)
+        return sum_formulas(self.arm.piece(body).mass for body in self.arm.bodies)
 
     @cached_property
     def total_mass(self) -> Expression:
@@ -139,7 +139,7 @@ class Carriage:
         return self.sliding_mass + self.swinging_mass
 
     @cached_property
-    def lone(self) -> bool:
+    def is_single_body(self) -> bool:
         """Return whether a single small body swings."""
         inertia = self.setting.mechanism.body[self.arm.bodies[0]].inertia
         return len(self.arm.bodies) == 1 and not any(inertia)
@@ -173,7 +173,7 @@ class Carriage:
         """Return the noun phrase of the carriage, such as *the cart*."""
         return self.setting.display_name(self.riding.carriage)
 
-    def hanging(self) -> Iterator[str]:
+    def hanging_body_sentences(self) -> Iterator[str]:
         """Yield a sentence for each hanging body, which adds to the mass of the carriage."""
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:

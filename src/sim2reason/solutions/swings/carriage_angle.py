@@ -28,8 +28,8 @@ class CarriageAngle(SwingAngle):
         super().__init__(setting, book)
         self.carriage = Carriage(setting, book)
         self.arm = self.carriage.arm
-        self.first, self.gravity = self.arm.first, self.arm.gravity
-        self.began = book.value(self.first)
+        self.initial_angle, self.gravity = self.arm.initial_angle, self.arm.gravity
+        self.initial_angle_value = book.value(self.initial_angle)
         query = setting.query
         searched = isinstance(query, StretchQuery) and query.kind == "extremum"
         moment = query.moment
@@ -40,14 +40,14 @@ class CarriageAngle(SwingAngle):
             if moment is not None
             else 0.0
         )
-        self.now, self.turned, self.turning = self.arm.at(when)
-        self.way = -1.0
+        self.moment_angle, self.turned, self.turning = self.arm.at(when)
+        self.initial_rate_sign = -1.0
         self.begins = isinstance(moment, AtStart) or when == 0.0
 
     # ---- members of SwingAngle
 
     _far: Symbol | None = None  # the displacement of the carriage, if it is given
-    _told_hanging = False
+    _is_hanging_written = False
 
     @property
     def goes_round(self) -> bool:
@@ -55,17 +55,17 @@ class CarriageAngle(SwingAngle):
         return False
 
     @property
-    def still(self) -> bool:
+    def is_at_rest(self) -> bool:
         """Return whether the arm is at rest relative to the carriage at the moment."""
         return abs(self.turning) <= REST_RATE
 
     @cached_property
-    def natural(self) -> Symbol:
+    def small_oscillation_frequency(self) -> Symbol:
         """Raise UnsolvedError, since times have no closed form."""
         raise UnsolvedError("only integration gives the time")
 
     @cached_property
-    def spin(self) -> Expression:
+    def initial_angular_speed(self) -> Expression:
         """Return zero, since the arm begins at rest."""
         return ZERO
 
@@ -74,27 +74,27 @@ class CarriageAngle(SwingAngle):
         """Write the angle at the moment, if necessary, and return it."""
         moment = self.setting.query.moment
         if self.begins:
-            return self.first
+            return self.initial_angle
         if isinstance(moment, Moved) and not self.extreme:
             return self._where_moved(moment)
         return super().angle
 
     def _at_extreme(self) -> Expression:
-        if abs(self.now) < SEARCH_TOLERANCE:
+        if abs(self.moment_angle) < SEARCH_TOLERANCE:
             self._tell_greatest()
-            self._say(f"{self.swings} hangs straight down")
+            self._write_extreme(f"{self.swings} hangs straight down")
             return ZERO
-        if not self.still:
+        if not self.is_at_rest:
             raise UnsolvedError("the greatest value is taken somewhere on the way")
-        self._say(f"{self.swings} turns back")
-        return self._turned()
+        self._write_extreme(f"{self.swings} turns back")
+        return self._write_turning_angle()
 
     def _tell_greatest(self) -> None:
         """Write why the carriage is fastest where the arm hangs straight down."""
         if self.setting.query.subject not in self.carriage.moving_along or self.driving_force != ZERO:
             return
         step, angle, total = self.book.begin_step("extreme"), self.book.fresh(r"\varphi"), self.carriage.total_mass
-        if self.lone:
+        if self.is_single_body:
             inertia = self.carriage.sliding_mass + self.mass * Power(Call("sin", angle), 2)
         else:
             inertia = total * self.arm.inertia - Power(self.moment * Call("cos", angle), 2)
@@ -110,8 +110,8 @@ class CarriageAngle(SwingAngle):
 
     def _hanging(self) -> list[str]:
         """Return the sentences about bodies that hang from strings of the carriage, at the first call only."""
-        sentences = [] if self._told_hanging else [*self.carriage.hanging()]
-        self._told_hanging = True
+        sentences = [] if self._is_hanging_written else [*self.carriage.hanging_body_sentences()]
+        self._is_hanging_written = True
         return sentences
 
     @property
@@ -119,7 +119,7 @@ class CarriageAngle(SwingAngle):
         """Return the noun phrase of the arm, such as *the rod*."""
         return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.display_name(self.arm.carrier)
 
-    def _say(self, where: str) -> None:
+    def _write_extreme(self, where: str) -> None:
         query = self.setting.query
         assert isinstance(query, StretchQuery)
         superlative, _, noun = query.functional.partition(" ")
@@ -128,16 +128,16 @@ class CarriageAngle(SwingAngle):
         step.add_text(f"The {noun}{whose} is {superlative} where {where}.")
         step.close()
 
-    def _tell_where(self, quantity: str) -> None:
+    def _write_extreme_position(self, quantity: str) -> None:
         """Write nothing, since the steps for the angle already give the position of the extreme value."""
         del quantity
 
-    def _turned(self) -> Expression:
+    def _write_turning_angle(self) -> Expression:
         """Write the angle at which the arm turns back, symmetric about the effective gravity, and return it."""
-        if abs(self.now - self.began) < SEARCH_TOLERANCE:
-            return self.first
+        if abs(self.moment_angle - self.initial_angle_value) < SEARCH_TOLERANCE:
+            return self.initial_angle
         if self.driving_force == ZERO:
-            return -self.first
+            return -self.initial_angle
         tilt = self.book.fresh(r"\beta")
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
         lead = "In the frame that accelerates along the rail with the common centre of mass,"
@@ -145,7 +145,7 @@ class CarriageAngle(SwingAngle):
         self.book.add_step("tilt", text, tilt, formula, DEGREES)
         text, turning_angle = (
             f"About this direction {self.swings} oscillates symmetrically, so it turns back at",
-            self.first + TWO * tilt,
+            self.initial_angle + TWO * tilt,
         )
         beyond = self.book.value(turning_angle) > 0.0  # on the other side of the lowest point
         name = self.book.add_step(
@@ -168,15 +168,15 @@ class CarriageAngle(SwingAngle):
             f"Let ${name.name}$ be the angle of {self.swings} with the downward vertical at this moment, positive"
         )
         step.add_text("on the side on which it begins.")
-        if self.began < 0.5 * pi and not self.book.in_symbols:
+        if self.initial_angle_value < 0.5 * pi and not self.book.in_symbols:
             step.add_text(
-                f"It rises no higher than at the start, so $|{name.name}| \\le {self.first.latex()} < 90^\\circ$."
+                f"It rises no higher than at the start, so $|{name.name}| \\le {self.initial_angle.latex()} < 90^\\circ$."
             )
         text = "No external force acts along the rail, so the common centre of mass does not move along it:"
         step.add_text(f"{text} {law}, so {step.result(name, formula, DEGREES)}.")
         self._far = far
         step.close()
-        if abs(self.book.values[name.name] - self.now) > ANGLE_TOLERANCE:
+        if abs(self.book.values[name.name] - self.moment_angle) > ANGLE_TOLERANCE:
             raise UnsolvedError("the arm is above its axle")
         return name
 
@@ -193,9 +193,9 @@ class CarriageAngle(SwingAngle):
             raise UnsolvedError("how fast and how far the carriage moves takes the time")
 
     @cached_property
-    def lone(self) -> bool:
+    def is_single_body(self) -> bool:
         """Return whether one small body swings, for which the laws are shorter."""
-        return self.carriage.lone
+        return self.carriage.is_single_body
 
     @cached_property
     def length(self) -> Expression:
@@ -210,15 +210,15 @@ class CarriageAngle(SwingAngle):
     @cached_property
     def moment(self) -> Expression:
         """Return Σ m r of the swinging bodies, with distances r from the axle, kg m."""
-        return self.mass * self.length if self.lone else self.arm.moment
+        return self.mass * self.length if self.is_single_body else self.arm.moment
 
     @property
     def sine_first(self) -> Expression:
         """Return the sine of the angle at the start."""
-        return Call("sin", self.first) if self.first != ZERO else ZERO
+        return Call("sin", self.initial_angle) if self.initial_angle != ZERO else ZERO
 
     @property
-    def signed(self) -> Expression:
+    def signed_sine(self) -> Expression:
         """Return the sine of the angle at the moment, with its sign."""
         if self.sine == ZERO:
             return ZERO
@@ -228,6 +228,6 @@ class CarriageAngle(SwingAngle):
     def effective_inertia(self) -> Expression:
         """Return the effective inertia of the motion along the rail: M + m sin² φ, or (M + m) I − S² cos² φ."""
         across = sum_of_squares([self.sine])
-        if self.lone:
+        if self.is_single_body:
             return self.carriage.sliding_mass + self.mass * across
         return self.carriage.total_mass * self.arm.inertia - Power(self.moment * self.cosine, 2)

@@ -30,14 +30,14 @@ class CarriageLaws(CarriageAngle):
     @cached_property
     def rate(self) -> Expression:
         """Write the angular speed of the arm, rad/s, and return it."""
-        if self.begins or self.still:
+        if self.begins or self.is_at_rest:
             return ZERO
         return self._moving[0]
 
     @cached_property
     def speed(self) -> Expression:
         """Write the speed of the carriage, m/s, opposite to that of the arm along the rail, and return it."""
-        if self.begins or self.still:
+        if self.begins or self.is_at_rest:
             return ZERO
         self.unloaded()
         return self._moving[1]
@@ -48,14 +48,14 @@ class CarriageLaws(CarriageAngle):
         c, book, there = self.carriage, self.book, self.cosine
         drift = self._drift
         step, turns, runs = book.begin_step("energy"), book.fresh(r"\omega"), book.fresh("V")
-        fallen, ahead = there - self.cosine_first, self.signed - self.sine_first
+        fallen, ahead = there - self.cosine_first, self.signed_sine - self.sine_first
         work = self.moment * self.gravity * fallen
         work = work - self.moment * drift * ahead
         worth = self.gravity * fallen - drift * ahead
         square = TWO * c.total_mass * worth / (self.length * self.effective_inertia)
-        if not self.lone:
+        if not self.is_single_body:
             square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
-        momentum, energy = self._kept(turns, runs)
+        momentum, energy = self._conservation_sides(turns, runs)
         kept, energy_law = step.law(*momentum), step.law(energy, work)
         step.add_text(*self._named(turns, runs))
         inertial = " with the work of the pull and of the inertial forces" if drift != ZERO else ""
@@ -64,7 +64,7 @@ class CarriageLaws(CarriageAngle):
         )
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
-        if self.lone and self.sine == ZERO:
+        if self.is_single_body and self.sine == ZERO:
             formula = self.mass * Root(TWO * self.length * worth / (c.total_mass * c.sliding_mass))
         step.add_text(f"{solved} and {step.result(runs, formula, SPEED)}.")
         step.close()
@@ -73,13 +73,17 @@ class CarriageLaws(CarriageAngle):
     def _named(self, turns: Symbol, runs: Symbol) -> tuple[str, ...]:
         """Return sentences that name the angular speed and the carriage speed, and give the velocities of the arm."""
         c, lowest = self.carriage, self.angle == ZERO
-        who = self.setting.display_name(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
+        who = (
+            self.setting.display_name(self.arm.bodies[0])
+            if self.is_single_body
+            else f"the centre of mass of {self.swings}"
+        )
         seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
-        beyond = isinstance(self.setting.query.moment, Deflected) and self.now < 0.0
+        beyond = isinstance(self.setting.query.moment, Deflected) and self.moment_angle < 0.0
         side = f", {self.swings} being on the other side of the vertical" if beyond else ""
         where = f"When {who} is at the lowest point" if lowest else f"At this moment{side}"
         lead = f"{where}, {seen}let {self.swings} turn at ${turns.name}$ and {c.noun} move at ${runs.name}$."
-        if not self.lone:
+        if not self.is_single_body:
             return lead, f"The horizontal velocity of {who} relative to {c.noun} is opposite to ${runs.name}$."
         along = (self.length * turns * self.cosine).latex()
         across = (
@@ -93,10 +97,10 @@ class CarriageLaws(CarriageAngle):
             else f"Relative to {c.noun}, {who} has {velocity}; {c.noun} moves the opposite way.",
         )
 
-    def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
+    def _conservation_sides(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
         """Return both sides of the conservation of momentum, and the kinetic energy."""
         c, along = self.carriage, turns * self.cosine
-        if self.lone:
+        if self.is_single_body:
             ahead = self.length * along - runs
             squared = sum_of_squares([ahead, self.length * turns * self.sine])
             moving = HALF * c.sliding_mass * Power(runs, 2) + HALF * self.mass * squared
@@ -122,7 +126,7 @@ class CarriageLaws(CarriageAngle):
         self.unloaded()
         if self.angle != ZERO and self._far is not None:
             return self._far
-        over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
+        over = self.sine_first - self.signed_sine if self.angle != -self.initial_angle else TWO * self.sine_first
         formula = self.moment * over / self.carriage.total_mass
         text = "The common centre of mass does not move along the rail, so the displacement of "
         text += f"{self.carriage.noun} is"
@@ -151,14 +155,14 @@ class CarriageLaws(CarriageAngle):
             text = f"By Newton's second law along {self.swings} for {who}, in the frame of {c.noun},"
             return book.add_step("rod", text, name, mass * pull, NEWTONS), ZERO
         step, a = book.begin_step("rod"), book.fresh("a", r"\text{c}")
-        pulled = self.driving_force + name * self.signed
-        along = step.law(name, mass * (pull - a * self.signed))
+        pulled = self.driving_force + name * self.signed_sine
+        along = step.law(name, mass * (pull - a * self.signed_sine))
         rail = step.law(c.sliding_mass * a, pulled)
         step.add_text(*self._hanging())
         step.add_text(f"Let ${name.name}$ be the force in {self.swings} and ${a.name}$ the acceleration of {c.noun}")
         step.add_text(f"{c.way}, which causes an inertial force in its frame. Along {self.swings}, for {who}: {along}.")
         step.add_text("Along the rail, for")
-        over = c.sliding_mass * pull - self.driving_force * self.signed
+        over = c.sliding_mass * pull - self.driving_force * self.signed_sine
         step.add_text(f"{c.noun}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
         step.add_text(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
         step.close()
@@ -169,7 +173,7 @@ class CarriageLaws(CarriageAngle):
         """Write the forward acceleration of the carriage, m/s², and return it."""
         if self.sine == ZERO and self.driving_force == ZERO:
             return ZERO
-        if not self.lone:
+        if not self.is_single_body:
             return self._turned_up[1]
         if self.sine != ZERO:
             return self._pulled[1]
@@ -183,11 +187,11 @@ class CarriageLaws(CarriageAngle):
     @cached_property
     def angular_acceleration(self) -> Expression:
         """Write the angular acceleration of the arm towards the lowest point, rad/s², and return it."""
-        if not self.lone:
+        if not self.is_single_body:
             return self._turned_up[0] if self.sine != ZERO or self.driving_force != ZERO else ZERO
         a = self.carriage_acceleration
         back = a * self.cosine
-        formula = (self.gravity * self.signed + back) / self.length
+        formula = (self.gravity * self.signed_sine + back) / self.length
         if self.book.value(formula) == 0.0:
             return ZERO
         counted = f"the angular acceleration of {self.swings}, {self.carriage.turning}, is"
@@ -199,9 +203,9 @@ class CarriageLaws(CarriageAngle):
         """Write the angular acceleration of an arm and the acceleration of its carriage; return both."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
         step, turns, a = book.begin_step("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
-        bent = sum_of_squares([self.rate]) * self.signed
+        bent = sum_of_squares([self.rate]) * self.signed_sine
         net_force = self.driving_force + s * bent
-        weight = self.gravity * self.signed
+        weight = self.gravity * self.signed_sine
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
         step.add_text(*self._hanging())

@@ -25,7 +25,7 @@ RIGHT_ANGLE_TOLERANCE = 1e-12  # largest cosine of an angle that counts as a rig
 LINE = "the line from the centre of mass to the axle"
 TOWARDS = f"By Newton's second law for the centre of mass, along {LINE}, the axle exerts the force component"
 UPWARDS = "Perpendicular to that line and upwards, against the tangential acceleration, it exerts the component"
-STRAIGHT = (
+VERTICAL_FORCE_LEAD = (
     "With the centre of mass straight below or above the axle, gravity has no tangential component; by Newton's second "
     "law, the axle exerts the vertical force"
 )
@@ -90,14 +90,14 @@ class AxleForces(SwingAngle):
             position = self.arm.piece(self.arm.bodies[0]).place
             return self.book.magnitude(position)
         moment = self.arm.moment
-        formula = (moment if self.falls else -moment) / self.whole
+        formula = (moment if self.is_falling else -moment) / self.whole
         text = "The distance of the common centre of mass from the axle is"
         return self.book.add_step("place", text, self.book.fresh("d", r"\text{cm}"), formula, METRES)
 
     @property
     def _below(self) -> Expression:
         """Return the cosine of the angle of the centre of mass with the downward vertical; zero for a right angle."""
-        cosine = self.cosine if self.falls else -self.cosine
+        cosine = self.cosine if self.is_falling else -self.cosine
         return (
             ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < RIGHT_ANGLE_TOLERANCE else cosine
         )
@@ -143,7 +143,7 @@ class AxleForces(SwingAngle):
     @property
     def _moment(self) -> Expression:
         """Return M d, the total mass times the distance of the common centre of mass from the axle, kg m."""
-        return self.arm.moment if self.falls else -self.arm.moment
+        return self.arm.moment if self.is_falling else -self.arm.moment
 
     def _upward(self) -> Expression:
         rises = sum_of_squares([self.rate]) * self._below - self.angular_acceleration * self.sine
@@ -152,15 +152,15 @@ class AxleForces(SwingAngle):
     def _rightward(self) -> Expression:
         """Return the horizontal component of the axle force, N, in which M appears only within M d."""
         inward = self._moment * (sum_of_squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
-        first_on_right = (self.now >= 0.0) == self.arm.begins_right
-        return -inward if first_on_right == self.falls else inward
+        first_on_right = (self.moment_angle >= 0.0) == self.arm.begins_right
+        return -inward if first_on_right == self.is_falling else inward
 
-    def said_of_axle(self) -> str:
+    def axle_force_lead(self) -> str:
         """Return the words before the formula of the axle force."""
         if self._projected and not self.vertical:
             return RIGHTWARD
         if self.sine == ZERO:
-            return STRAIGHT
+            return VERTICAL_FORCE_LEAD
         if self._projected:
             return UPWARD
         return SIDEWAYS if self._inward == ZERO else RIGHT_ANGLE
@@ -195,35 +195,35 @@ Seen = Callable[[Array], tuple[Array, Array]]
 def total_angle(swing: SwingAngle, seen: Seen) -> Expression:
     """Return the total angle turned, with all reversals; the engine's motion `seen` only decides signs and counts."""
     end = swing.setting.time
-    count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
+    count = SAMPLES * max(1, ceil(end * swing.book.value(swing.small_oscillation_frequency) / (2.0 * pi)))
     angles, rates = seen(np.linspace(0.0, end, count + 1))
     kept = np.sign(rates[np.abs(rates) > REST_RATE_RTOL * np.abs(rates).max()])
-    turns = int((kept[1:] != kept[:-1]).sum()) + swing.still
+    turns = int((kept[1:] != kept[:-1]).sum()) + swing.is_at_rest
     if swing.goes_round:
         return _round(swing, float(np.unwrap(angles)[-1]))
-    if not swing.falls:
+    if not swing.is_falling:
         raise UnsolvedError("its centre of mass is on the other side of the axle")
     if not turns:
         return swing.between
     sense = float(kept[0])
-    _tell_way(swing, turns, sense)
-    reach, angle = Polynomial.of(swing.reach), _place(swing.first).scaled(-sense)
-    angle = angle + reach.scaled(2.0 * turns - 1.0)
-    if not swing.still:
-        angle = angle + reach - _place(swing.angle).scaled(sense if turns % 2 else -sense)
+    _write_swing_range(swing, turns, sense)
+    reach, angle = Polynomial.from_expression(swing.reach), _place(swing.initial_angle).scale(-sense)
+    angle = angle + reach.scale(2.0 * turns - 1.0)
+    if not swing.is_at_rest:
+        angle = angle + reach - _place(swing.angle).scale(sense if turns % 2 else -sense)
     return angle.factored()
 
 
-def _tell_way(swing: SwingAngle, turns: int, sense: float) -> None:
+def _write_swing_range(swing: SwingAngle, turns: int, sense: float) -> None:
     """Write the angles between which the body swings in turn, up to its position at the moment."""
-    inward, ends = sense < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
+    inward, ends = sense < 0.0 and swing.initial_angle != ZERO, ZERO if swing.is_at_rest else swing.angle
     reach, through = f"${swing.reach.latex()}$", " through the lowest point"
-    begins = f"${swing.first.latex()}$" if swing.first != ZERO else "the lowest point"
+    begins = f"${swing.initial_angle.latex()}$" if swing.initial_angle != ZERO else "the lowest point"
     clauses = [f"From {begins} it swings{through if inward else ''} to {reach}{' on the other side' if inward else ''}"]
     if turns > 1:
         often = "once" if turns == TWICE else f"{turns - 1} times"
         clauses.append(f"{often} from one turning point to the other")
-    if not swing.still:
+    if not swing.is_at_rest:
         side = sense if turns % 2 else -sense
         crosses = ends != ZERO and side * swing.book.value(ends) < 0.0
         size = f"${(-ends if ends.negative else ends).latex()}$" if ends != ZERO else "the lowest point"
@@ -239,7 +239,7 @@ def _round(swing: SwingAngle, end: float) -> Expression:
     there = swing.angle
     if there == ZERO or isinstance(there, Number):
         there = Number(float(halves)) * PI if halves else ZERO
-    difference = there - swing.first
+    difference = there - swing.initial_angle
     return difference if swing.book.value(difference) >= 0.0 else -difference
 
 
@@ -248,4 +248,4 @@ def _place(angle: Expression) -> Polynomial:
     if angle == ZERO:
         return Polynomial({})
     negative = angle.latex().startswith("-")
-    return Polynomial.of(-angle).scaled(-1.0) if negative else Polynomial.of(angle)
+    return Polynomial.from_expression(-angle).scale(-1.0) if negative else Polynomial.from_expression(angle)

@@ -18,10 +18,10 @@ from sim2reason.solutions.algebra.expressions import (
     Number,
     Product,
     Sum,
-    multiplied,
+    multiply_factors,
     simple_fraction,
 )
-from sim2reason.solutions.algebra.functions import PI, Call, Power, sum_of_squares, summed
+from sim2reason.solutions.algebra.functions import PI, Call, Power, sum_formulas, sum_of_squares
 from sim2reason.solutions.writing.notation import JOULES
 from sim2reason.solutions.writing.steps import SolutionBuilder, record_inequality
 
@@ -55,12 +55,12 @@ class Part:
     height: Expression = ZERO  # of the centre of mass along z
 
 
-def of(share: float, length: Expression) -> Expression:
+def scaled_square(share: float, length: Expression) -> Expression:
     """Return the number `share` times the square of a length."""
     return Number(share) * Power(length, 2)
 
 
-def joined(parts: list[Part]) -> MeanSquares:
+def combine_parts(parts: list[Part]) -> MeanSquares:
     """Combine parts of a body, displaced along z, into mean squares of the whole, by the parallel-axis theorem."""
     center, xx, zz = ZERO, ZERO, ZERO
     for part in parts:
@@ -71,7 +71,7 @@ def joined(parts: list[Part]) -> MeanSquares:
 
 
 def _ball(radius: Expression) -> MeanSquares:
-    return MeanSquares(of(0.2, radius), of(0.2, radius))
+    return MeanSquares(scaled_square(0.2, radius), scaled_square(0.2, radius))
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
@@ -104,11 +104,11 @@ def _hemisphere(size: Sizes) -> MeanSquares:
     square = (Number(0.4) - Power(center, 2)) * Power(radius, 2)
     why = (
         "About a diameter of its flat face the moment of inertia of a hemisphere is, as that of a ball, "
-        f"${of(0.4, radius).latex()}$ times its mass; about the parallel line through the centre of mass "
+        f"${scaled_square(0.4, radius).latex()}$ times its mass; about the parallel line through the centre of mass "
         f"it is less by ${Power(center * radius, 2).latex()}$ times the mass."
     )
-    along = of(0.2, radius) - of(9.0 / 64.0, radius)
-    return MeanSquares(of(0.2, radius), along, center * radius, square=square, why=why)
+    along = scaled_square(0.2, radius) - scaled_square(9.0 / 64.0, radius)
+    return MeanSquares(scaled_square(0.2, radius), along, center * radius, square=square, why=why)
 
 
 def _cap(size: Sizes) -> MeanSquares:
@@ -124,7 +124,9 @@ def _bowl(size: Sizes) -> MeanSquares:
     parts = [_segment(outer, height), _segment(inner, low)]
     rest = volumes[0] - volumes[1]
     shares = [volumes[0] / rest, -(volumes[1] / rest)]
-    combined = joined([Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)])
+    combined = combine_parts(
+        [Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)]
+    )
     why = (
         "A bowl is a solid cap less a smaller one, of the same density; the moments of inertia of caps follow by "
         "integration over thin discs parallel to their flat faces."
@@ -135,7 +137,7 @@ def _bowl(size: Sizes) -> MeanSquares:
 def _holed_ball(size: Sizes) -> MeanSquares:
     outer, inner = size("radius"), size("hole")
     full, hole = _less(3, outer, inner)
-    combined = joined([Part(full, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
+    combined = combine_parts([Part(full, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
     why = "It is a solid ball less the one that would fill the hole, of the same density."
     return replace(combined, why=why, why_own=why)
 
@@ -144,8 +146,8 @@ def _bored(size: Sizes) -> MeanSquares:
     """Return the mean squares of a cylinder with a parallel bore; y is the axis and z the line to the bore."""
     outer, inner = size("radius"), size("hole")
     full, hole = _less(2, outer, inner)
-    discs = [MeanSquares(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
-    spread = joined([Part(full, discs[0]), Part(hole, discs[1], size("offset"))])
+    discs = [MeanSquares(scaled_square(0.25, radius), scaled_square(0.25, radius)) for radius in (outer, inner)]
+    spread = combine_parts([Part(full, discs[0]), Part(hole, discs[1], size("offset"))])
     return MeanSquares(spread.xx, spread.zz, spread.center, ZERO)
 
 
@@ -161,7 +163,7 @@ def _prism(size: Sizes, sides: int, long: Expression) -> MeanSquares:
     )
     high = f" The height adds ${long.latex()}$ times the mass, as the length of a rod does." if long != ZERO else ""
     double = " About the axis of the prism it is twice as large, by the perpendicular-axis theorem."
-    transverse = square if simple_fraction(plain) is None else of(plain, radius)
+    transverse = square if simple_fraction(plain) is None else scaled_square(plain, radius)
     return MeanSquares(transverse, long, why=why + high, why_own=why + double)
 
 
@@ -172,17 +174,23 @@ def _thick(size: Sizes) -> MeanSquares:
 TABLE: dict[str, Callable[[Sizes], MeanSquares]] = {
     "FixedBall": lambda _: MeanSquares(ZERO, ZERO),
     "Sphere": lambda size: _ball(size("radius")),
-    "SphericalShell": lambda size: MeanSquares(of(1.0 / 3.0, size("radius")), of(1.0 / 3.0, size("radius"))),
+    "SphericalShell": lambda size: MeanSquares(
+        scaled_square(1.0 / 3.0, size("radius")), scaled_square(1.0 / 3.0, size("radius"))
+    ),
     "HollowSphere": _hollow,
-    "Cylinder": lambda size: MeanSquares(of(0.25, size("radius")), of(1.0 / 12.0, size("height"))),
-    "Disc": lambda size: MeanSquares(of(0.25, size("radius")), ZERO),
-    "Roller": lambda size: MeanSquares(of(0.25, size("radius")), ZERO),
-    "Hoop": lambda size: MeanSquares(of(0.5, size("radius")), ZERO),
-    "Pipe": lambda size: MeanSquares(of(0.5, size("radius")), ZERO),
+    "Cylinder": lambda size: MeanSquares(
+        scaled_square(0.25, size("radius")), scaled_square(1.0 / 12.0, size("height"))
+    ),
+    "Disc": lambda size: MeanSquares(scaled_square(0.25, size("radius")), ZERO),
+    "Roller": lambda size: MeanSquares(scaled_square(0.25, size("radius")), ZERO),
+    "Hoop": lambda size: MeanSquares(scaled_square(0.5, size("radius")), ZERO),
+    "Pipe": lambda size: MeanSquares(scaled_square(0.5, size("radius")), ZERO),
     "ThickPipe": _thick,
-    "UniformRod": lambda size: MeanSquares(ZERO, of(1.0 / 12.0, size("length"))),
+    "UniformRod": lambda size: MeanSquares(ZERO, scaled_square(1.0 / 12.0, size("length"))),
     "Bar": lambda size: MeanSquares(
-        of(1.0 / 12.0, size("width")), of(1.0 / 12.0, size("length")), yy=of(1.0 / 12.0, size("thickness"))
+        scaled_square(1.0 / 12.0, size("width")),
+        scaled_square(1.0 / 12.0, size("length")),
+        yy=scaled_square(1.0 / 12.0, size("thickness")),
     ),
     "Hemisphere": _hemisphere,
     "SphericalCap": _cap,
@@ -196,7 +204,7 @@ def mean_squares(shape: Shape, size: Sizes) -> MeanSquares | None:
     """Return the mean squares of distances in a body of a tabulated shape; None for other shapes."""
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
-        long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
+        long = scaled_square(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
         return _prism(size, getattr(shape, "sides", 4), long)
     builder = TABLE.get(name)
     return builder(size) if builder is not None else None
@@ -229,9 +237,9 @@ def _collected(expression: Expression) -> Expression:
     for term in expression.terms if isinstance(expression, Sum) else (expression,):
         factors = term.factors if isinstance(term, Product) else (term,)
         number = prod(factor.x for factor in factors if isinstance(factor, Number))
-        rest = reduce(multiplied, (factor for factor in factors if not isinstance(factor, Number)), ONE)
+        rest = reduce(multiply_factors, (factor for factor in factors if not isinstance(factor, Number)), ONE)
         parts[rest] = parts.get(rest, 0.0) + number
-    return summed(multiplied(Number(number), rest) for rest, number in parts.items())
+    return sum_formulas(multiply_factors(Number(number), rest) for rest, number in parts.items())
 
 
 HALF = Number(0.5)
@@ -288,7 +296,7 @@ def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
     return f"{line} {how}, so this is the angle between the initial and the final velocity."
 
 
-def tell(book: SolutionBuilder, sentence: str) -> None:
+def write_sentence(book: SolutionBuilder, sentence: str) -> None:
     """Write a step that only contains a given sentence, on which no result depends."""
     step = book.begin_step("extreme")
     step.add_text(sentence)

@@ -19,7 +19,7 @@ CIRCLE, TANGENT = "circle", "perpendicular"
 HALF, TWO, THREE, FOUR = Number(0.5), Number(2.0), Number(3.0), Number(4.0)
 EVENT_TIME_RTOL = 1e-9  # relative tolerance of times of one event
 ON_CIRCLE = "is on its circle, the string taut"
-FLIES = "flies freely, the string slack"
+FREE_FLIGHT_PHRASE = "flies freely, the string slack"
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,14 +57,14 @@ class SlackSwingPhases:
         """Return whether the string is slack at the start: the bob is above the fixed point and slow."""
         swing = self.swing
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, swing.launch))
-        return v**2 + g * ell * cos(swing.began) < 0.0
+        return v**2 + g * ell * cos(swing.initial_angle_value) < 0.0
 
     def _side(self) -> float:
         """Return the sign of x, by the engine, where the string first goes slack, or at the start if it stays taut."""
         slack = [event.time for event in self.changes if event.kind == "slack"]
-        return 1.0 if self._seen(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
+        return 1.0 if self._engine_states(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
 
-    def _seen(self, time: float) -> tuple[float, float, float]:
+    def _engine_states(self, time: float) -> tuple[float, float, float]:
         """Return the engine's x from the fixed point and its velocity along x and y at a time, for signs alone."""
         m = self.setting.mechanism
         state = self.setting.study.trace.sample(np.array([time]))
@@ -75,7 +75,7 @@ class SlackSwingPhases:
 
     def sign(self, time: float, of: int) -> float:
         """Return the sign of the engine's x (0), or of the velocity along x (1) or y (2), at a time."""
-        seen = self._seen(time)[of]
+        seen = self._engine_states(time)[of]
         return (1.0 if seen >= 0.0 else -1.0) * (1.0 if of == 2 else self.side)
 
     # ---- the start
@@ -85,13 +85,13 @@ class SlackSwingPhases:
         """Return the initial position and velocity of the bob."""
         swing, ell = self.swing, self.length
         begins = self.sign(0.0, 0)
-        sine = Call("sin", swing.first) if swing.first != ZERO else ZERO
+        sine = Call("sin", swing.initial_angle) if swing.initial_angle != ZERO else ZERO
         cosine = swing.cosine_first
         forward = -begins if sine != ZERO else self.sign(0.0, 1)
         vx, vy = swing.launch * cosine * forward, -(swing.launch * sine)
         return MotionState(ell * sine * begins, -(ell * cosine), vx, vy, swing.launch)
 
-    def tell_axes(self) -> None:
+    def write_axes(self) -> None:
         """Write the origin and the directions of the coordinates."""
         side = "it begins" if self.slack_at_once else "the string goes slack"
         step = self.book.begin_step("names")
@@ -183,7 +183,7 @@ class SlackSwingPhases:
         formula = (held.x * held.vx + held.y * held.vy) / self.length
         return self.book.add_step("jerk", text, self.book.fresh("w"), formula, SPEED)
 
-    def jerked(self, held: MotionState) -> tuple[MotionState, Symbol]:
+    def write_jerk(self, held: MotionState) -> tuple[MotionState, Symbol]:
         """Write the velocity just after the jerk, along the circle; return it and the counter-clockwise speed."""
         book, ell = self.book, self.length
         text = "The jerk takes away the velocity along the string; the component perpendicular to it is"
@@ -201,7 +201,7 @@ class SlackSwingPhases:
         x: Expression = Root(Power(ell, 2) - Power(y, 2))
         return MotionState(x if self.sign(self.setting.time, 0) > 0.0 else -x, y, ZERO, ZERO, ZERO)
 
-    def swung(self, held: MotionState, times: SwingTime, t: Symbol) -> MotionState:
+    def write_circular_motion(self, held: MotionState, times: SwingTime, t: Symbol) -> MotionState:
         """Write the position and velocity after a time on the circle and return them."""
         book, ell, when = self.book, self.length, self.setting.time
         begins = self.side if held.x == ZERO else self._sign_of(held.x)
@@ -228,7 +228,7 @@ class SlackSwingPhases:
         angle = self.angle(held, book.fresh(r"\phi"))
         size = book.magnitude(speed)
         outward = book.value(held.x) * book.value(speed) > 0.0
-        return SwingTime(book, self.swing.natural, angle, size / ell, 1.0 if outward else -1.0)
+        return SwingTime(book, self.swing.small_oscillation_frequency, angle, size / ell, 1.0 if outward else -1.0)
 
     def angle(self, held: MotionState, name: Symbol) -> Symbol:
         """Write the magnitude of the angle of the string with the downward vertical and return its symbol."""
@@ -252,17 +252,17 @@ def change(book: SolutionBuilder, there: MotionState, start: MotionState) -> Exp
     return vector_magnitude(*(one - two if book.value(one - two) >= 0.0 else two - one for one, two in pairs))
 
 
-def tell_velocities(book: SolutionBuilder, there: MotionState, start: MotionState, *, flies: bool) -> None:
+def write_velocities(book: SolutionBuilder, there: MotionState, start: MotionState, *, flies: bool) -> None:
     """Write the initial velocity and, in free flight, the final one, for the change of momentum."""
     step = book.begin_step("extreme")
     first = [f"${v.latex()}$ along {axis}" for v, axis in ((start.vx, "x"), (start.vy, "y")) if v != ZERO]
     step.add_text(f"The initial velocity is {join_words(first)}." if first else "")
     step.close()
     if flies:
-        tell_flight(book, there)
+        write_free_flight(book, there)
 
 
-def tell_flight(book: SolutionBuilder, there: MotionState) -> None:
+def write_free_flight(book: SolutionBuilder, there: MotionState) -> None:
     """Write that the horizontal velocity is constant in free flight, and the vertical one zero at the top."""
     step = book.begin_step("extreme")
     at = ", and the vertical one is zero at the highest point" if there.vy == ZERO else ""

@@ -59,25 +59,27 @@ class SwingTime:
         return name
 
     @cached_property
-    def rounds(self) -> bool:
+    def makes_full_turns(self) -> bool:
         """Return whether the pendulum goes right round."""
         return self.book.values[self.modulus.name] > 1.0
 
     @cached_property
-    def pace(self) -> Expression:
+    def integral_rate(self) -> Expression:
         """Return the rate of increase of the elliptic integral F(θ) with time, rad/s: ω₀, or k ω₀ for full turns."""
-        return self.modulus * self.natural if self.rounds else self.natural
+        return self.modulus * self.natural if self.makes_full_turns else self.natural
 
     # ---- elliptic integrals
 
     @property
     def _elliptic_modulus(self) -> Expression:
-        return ONE / self.modulus if self.rounds else self.modulus
+        return ONE / self.modulus if self.makes_full_turns else self.modulus
 
     @cached_property
     def complete(self) -> Symbol:
         """Write K, the complete integral of a quarter oscillation or a half turn, and return its symbol."""
-        part = "from straight down to straight up" if self.rounds else "from the lowest point to a turning point"
+        part = (
+            "from straight down to straight up" if self.makes_full_turns else "from the lowest point to a turning point"
+        )
         formula = CompleteElliptic(self._elliptic_modulus)
         return self._special(f"The complete integral, {part}, is", self.book.fresh("K"), formula, "")
 
@@ -106,20 +108,20 @@ class SwingTime:
         """Return the elliptic integral F(θ) for the least θ ≥ 0 at which the pendulum has a given angle."""
         if abs(value) < PHASE_TOLERANCE:
             return NIL
-        if self.rounds:
+        if self.makes_full_turns:
             formula = angle / TWO
         else:
             over = sin(0.5 * value) / self.book.values[self.modulus.name]
             if abs(over - 1.0) < PHASE_TOLERANCE**2:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
-        text = "Half the angle is" if self.rounds else "The angle in the integral is"
+        text = "Half the angle is" if self.makes_full_turns else "The angle in the integral is"
         theta = self.book.add_step("angle", text, self.book.fresh(r"\psi"), formula, RADIANS)
-        return Polynomial.of(self._integral(theta))
+        return Polynomial.from_expression(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
         """Return the complete elliptic integral K times an integer."""
-        return Polynomial.of(self.complete).scaled(float(count)) if count else NIL
+        return Polynomial.from_expression(self.complete).scale(float(count)) if count else NIL
 
     @cached_property
     def begins(self) -> Polynomial:
@@ -131,7 +133,7 @@ class SwingTime:
         left = self._left(self.first, self.book.value(self.first))
         if self.way > 0.0:
             return left
-        return left.scaled(-1.0) if self.rounds else self._quarters(2) - left
+        return left.scale(-1.0) if self.makes_full_turns else self._quarters(2) - left
 
     def reaches(self, angle: Expression, time: float) -> Symbol:
         """Write the time near a given one at which the pendulum is at an angle and return its symbol."""
@@ -139,19 +141,19 @@ class SwingTime:
         size = angle if value >= 0.0 else -angle
         left = self._left(size, abs(value))
         full = 2.0 * self.book.values[self.complete.name]
-        now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
+        now = self.book.value(self.begins.expression()) + self.book.value(self.integral_rate) * time
         part = self.book.value(left.expression())
         candidates = [(sign, round((now - sign * part) / full)) for sign in (1.0, -1.0)]
         off = [abs(sign * part + turns * full - now) for sign, turns in candidates]
         sign, turns = candidates[off.index(min(off))]
         if min(off) > PHASE_TOLERANCE * full:
             raise UnsolvedError("the angle at that moment is not known")
-        return self._after(self._quarters(2 * turns) + left.scaled(sign))
+        return self._after(self._quarters(2 * turns) + left.scale(sign))
 
-    def upright(self, time: float) -> Symbol:
+    def write_vertical_time(self, time: float) -> Symbol:
         """Write the time of a passage through the lowest or highest point, or of a turning point; return its symbol."""
         quarter = self.book.values[self.complete.name]
-        now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
+        now = self.book.value(self.begins.expression()) + self.book.value(self.integral_rate) * time
         count = round(now / quarter)
         if abs(count * quarter - now) > PHASE_TOLERANCE * quarter:
             raise UnsolvedError("the angle at that moment is not known")
@@ -159,17 +161,17 @@ class SwingTime:
 
     def _after(self, integral: Polynomial) -> Symbol:
         text = "Hence"
-        formula = (integral - self.begins).expression() / self.pace
+        formula = (integral - self.begins).expression() / self.integral_rate
         return self.book.add_step("time", text, self.book.fresh("t"), formula, SECONDS)
 
     @property
     def frequency(self) -> Symbol:
         """Write the angular frequency of the motion, from the period 4K/ω₀, or 2K/(kω₀) for full turns; return it."""
-        share = 1.0 if self.rounds else 0.5
-        formula = Number(share) * PI * self.pace / self.complete
+        share = 1.0 if self.makes_full_turns else 0.5
+        formula = Number(share) * PI * self.integral_rate / self.complete
         quarter, rate = self.complete.latex(), self.natural.latex()
         text = f"The period is $4 {quarter}/{rate}$"
-        if self.rounds:
+        if self.makes_full_turns:
             text = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
         text += ", so the angular frequency is"
         return self.book.add_step("oscillation", text, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
@@ -177,14 +179,14 @@ class SwingTime:
     def angle(self, time: Symbol) -> Symbol:
         """Write the angle at a time and return its symbol."""
         _ = self.modulus
-        begins, grown, name = self.begins.expression(), self.pace * time, self.book.fresh("u", "t")
-        inward = self.way < 0.0 and not self.rounds and self.rate != ZERO
+        begins, grown, name = self.begins.expression(), self.integral_rate * time, self.book.fresh("u", "t")
+        inward = self.way < 0.0 and not self.makes_full_turns and self.rate != ZERO
         text = f"At first the integral is ${begins.latex()}${', as it moves inwards' if inward else ''}; it"
-        text = f"{text if self.begins else 'The integral'} grows at the rate ${self.pace.latex()}$, up to"
+        text = f"{text if self.begins else 'The integral'} grows at the rate ${self.integral_rate.latex()}$, up to"
         integral_value = begins + grown if self.begins else grown
         theta = self._amplitude(self.book.add_step("elliptic", text, name, integral_value, ""))
         self._tell_turns(name)
-        if self.rounds:
+        if self.makes_full_turns:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)
         else:
             formula = TWO * Call("arcsin", self.modulus * Call("sin", theta))
@@ -194,7 +196,7 @@ class SwingTime:
 
     def _tell_turns(self, integral: Symbol) -> None:
         """Write how many turning points precede the time at which the elliptic integral has a given value."""
-        if self.rounds or self.book.is_hidden(integral):
+        if self.makes_full_turns or self.book.is_hidden(integral):
             return
         quarter, begun = self.book.value(self.complete), self.book.value(self.begins.expression())
         turns = [

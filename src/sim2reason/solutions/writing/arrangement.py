@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Step
@@ -20,7 +20,7 @@ SENTENCE = re.compile(r"(?P<lead>((At|After the time|In the time) \$[^$]*\$)?[^$
 SINGULAR_PLURAL = "the displacement is", "the displacements are"
 
 
-def merged(steps: Sequence[Step]) -> list[Step]:
+def merge_steps(steps: Sequence[Step]) -> list[Step]:
     """Return steps in which those with like sentences form one step at the position of the first."""
     groups: list[list[Step]] = []
     group_ids: dict[int, int] = {}  # from the number of a step to that of the step with which it is merged
@@ -29,7 +29,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
         start = len(groups) if step.kind in BEGIN else start
         renumbered = replace(step, needs=tuple(sorted({group_ids[n] for n in step.needs if n in group_ids})))
         group = next(
-            (group for group in groups[start:] if _alike(group[0], renumbered, follows=group is groups[-1])), None
+            (group for group in groups[start:] if _can_merge(group[0], renumbered, follows=group is groups[-1])), None
         )
         if group is None:
             groups.append(group := [])
@@ -38,7 +38,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
     return [_merge_group(group) for group in groups]
 
 
-def _alike(first: Step, other: Step, *, follows: bool) -> bool:
+def _can_merge(first: Step, other: Step, *, follows: bool) -> bool:
     """Return whether a later step can be merged with an earlier one: same words, and no use of results in between.
 
     A step that `follows` directly may use all earlier results; another one no more than the first step does.
@@ -99,10 +99,10 @@ def _of_three(lexicon: Lexicon, gap_value: DualValue) -> Polynomial | None:
     for length in reversed(lexicon.lengths):
         for sign in (1.0, -1.0):
             try:
-                rest = lexicon.read(gap_value - DualValue(sign * length.here, sign * length.there))
+                rest = lexicon.read(gap_value - DualValue(sign * length.value, sign * length.twin_value))
             except UnreadError:
                 continue
-            return lexicon.read(length).scaled(sign) + rest
+            return lexicon.read(length).scale(sign) + rest
     return None
 
 
@@ -111,7 +111,7 @@ def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
     met = mechanism.meetings[number]
     assert met.normal is not None
     other = frames.center(met.b).place
-    return float(dot(met.normal, other if met.a is None else minus(other, frames.center(met.a).place)))
+    return float(dot(met.normal, other if met.a is None else subtract_triples(other, frames.center(met.a).place)))
 
 
 MIN_NAMES_FOR_ROWS = 6  # names defined by steps of these kinds, from which on lists are easier to follow

@@ -27,7 +27,7 @@ from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.writing.notation import latex
 from sim2reason.solutions.writing.number_sums import LabelledNumber, sum_of_products
-from sim2reason.text.prose.description import factor
+from sim2reason.text.prose.description import formula_unit_factor
 
 MAX_PERTURBATION = 1e-3  # largest relative change of a number of the twin
 COINCIDENCE_RTOL = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
@@ -77,7 +77,7 @@ class StatedNumber:
     @property
     def scale(self) -> float:
         """Return the factor that converts the number in the text to the unit without prefix that formulas use."""
-        return factor(self.parameter.measure.unit)
+        return formula_unit_factor(self.parameter.measure.unit)
 
     @property
     def angle(self) -> bool:
@@ -89,20 +89,20 @@ class StatedNumber:
 class DualValue:
     """The values of one number in a mechanism and in its twin, which has slightly different numbers."""
 
-    here: float
-    there: float
+    value: float
+    twin_value: float
 
     def __mul__(self, other: "DualValue") -> "DualValue":
         """Return the product of two numbers, in the mechanism and in its twin."""
-        return DualValue(self.here * other.here, self.there * other.there)
+        return DualValue(self.value * other.value, self.twin_value * other.twin_value)
 
     def __truediv__(self, other: "DualValue") -> "DualValue":
         """Return the quotient of two numbers, in the mechanism and in its twin."""
-        return DualValue(self.here / other.here, self.there / other.there)
+        return DualValue(self.value / other.value, self.twin_value / other.twin_value)
 
     def __sub__(self, other: "DualValue") -> "DualValue":
         """Return the difference of two numbers, in the mechanism and in its twin."""
-        return DualValue(self.here - other.here, self.there - other.there)
+        return DualValue(self.value - other.value, self.twin_value - other.twin_value)
 
 
 class Lexicon:
@@ -152,9 +152,13 @@ class Lexicon:
         for path, there in self._twin[1].items():
             given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
             if given.angle:
-                atoms.append((DualValue(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
-                atoms.append((DualValue(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
-            atoms.append((DualValue(given.value, there), Polynomial.of(symbol)))
+                atoms.append(
+                    (DualValue(math.sin(given.value), math.sin(there)), Polynomial.from_expression(Call("sin", symbol)))
+                )
+                atoms.append(
+                    (DualValue(math.cos(given.value), math.cos(there)), Polynomial.from_expression(Call("cos", symbol)))
+                )
+            atoms.append((DualValue(given.value, there), Polynomial.from_expression(symbol)))
         return [*atoms, *self._attracting()]
 
     def _attracting(self) -> list[tuple[DualValue, Polynomial]]:
@@ -164,7 +168,10 @@ class Lexicon:
             return []
         size, name = pulls[0].constant, Symbol("G")
         inverse = DualValue(1.0 / size, 1.0 / size), Polynomial({((name, -1),): 1.0})
-        return [(DualValue(size, size), Polynomial.of(name)), *([] if self.constant is not None else [inverse])]
+        return [
+            (DualValue(size, size), Polynomial.from_expression(name)),
+            *([] if self.constant is not None else [inverse]),
+        ]
 
     @cached_property
     def constant(self) -> float | None:
@@ -182,7 +189,7 @@ class Lexicon:
             if given.parameter.measure.unit == "m" and path in there
         ]
 
-    def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
+    def formula_for(self, number: Callable[[Mechanism], float]) -> Polynomial:
         """Return a formula, in the text's symbols, for a number that a function computes from the mechanism."""
         return self.read(DualValue(float(number(self.mechanism)), float(number(self.twin))))
 
@@ -200,32 +207,34 @@ class Lexicon:
         return COINCIDENCE_RTOL if smallest >= ATOMIC_SIZE else COINCIDENCE_RTOL * smallest**2
 
     def _searched(self, number: DualValue) -> Polynomial:
-        if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
-            return Polynomial.of(Symbol("G"))  # far smaller, in the SI, than what rounding leaves of other numbers
-        if abs(number.here) < self._nothing and abs(number.there) < self._nothing:
+        if any(number.value == number.twin_value == pull.constant for pull in self.mechanism.attractions):
+            return Polynomial.from_expression(
+                Symbol("G")
+            )  # far smaller, in the SI, than what rounding leaves of other numbers
+        if abs(number.value) < self._nothing and abs(number.twin_value) < self._nothing:
             return NIL
         plain = _factor(number, DualValue(1.0, 1.0))
         if plain is not None:
-            return Polynomial.of(plain)
+            return Polynomial.from_expression(plain)
         for atom, name in self._atoms:
             factor = _factor(number, atom)
             if factor is not None:
-                return name.scaled(factor)
+                return name.scale(factor)
         return self._of_two(number)
 
     def _of_two(self, number: DualValue) -> Polynomial:
         for (one, name), (two, other) in combinations_with_replacement(self._atoms, 2):
             factor = _factor(number, one * two)
             if factor is not None:
-                return (name * other).scaled(factor)
+                return (name * other).scale(factor)
         lengths = [(atom, name) for atom, name in self._atoms if name.symbol is not None]
         for one, name in lengths:
             for sign in (1.0, -1.0):
-                rest = number - DualValue(sign * one.here, sign * one.there)
+                rest = number - DualValue(sign * one.value, sign * one.twin_value)
                 for two, other in (*lengths, (DualValue(1.0, 1.0), None)):
                     factor = _factor(rest, two)
                     if factor is not None:
-                        return name.scaled(sign) + (other or Polynomial.of(1.0)).scaled(factor)
+                        return name.scale(sign) + (other or Polynomial.from_expression(1.0)).scale(factor)
         return self._of_several(number)
 
     def _of_several(self, number: DualValue) -> Polynomial:
@@ -236,25 +245,25 @@ class Lexicon:
             for factors in combinations_with_replacement(self._atoms, size):
                 factor = _factor(number, reduce(mul, (atom for atom, _ in factors)))
                 if factor is not None:
-                    return reduce(mul, (name for _, name in factors)).scaled(factor)
+                    return reduce(mul, (name for _, name in factors)).scale(factor)
         polynomial = self._of_sums(number)
         if polynomial is None:
-            raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
+            raise UnreadError(f"{number.value:.6g} is no simple function of the numbers in the text")
         return polynomial
 
     def _of_sums(self, number: DualValue) -> Polynomial | None:
         """Return a number, cached, as a total mass times other numbers or a sum of two products; None if neither."""
         if number not in self._sums:
-            atoms = [LabelledNumber(atom.here, atom.there, name) for atom, name in self._atoms]
+            atoms = [LabelledNumber(atom.value, atom.twin_value, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
             heavy = [candidate for candidate in atoms if candidate.name.symbol in masses]
-            self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)
+            self._sums[number] = sum_of_products(number.value, number.twin_value, heavy, atoms)
         return self._sums[number]
 
 
 def _counted(parameter: Parameter, value: float) -> float:
     """Convert a value in the text to the units of the mechanism: SI without prefixes, angles in radians."""
-    return value * factor(parameter.measure.unit)
+    return value * formula_unit_factor(parameter.measure.unit)
 
 
 def _is_word(scene: Scene, parameter: Parameter) -> bool:
@@ -266,9 +275,9 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
 
 def _factor(number: DualValue, atom: DualValue) -> float | None:
     """Return the simple fraction number / atom if it is the same in mechanism and twin; None if there is none."""
-    if atom.here == 0.0 or atom.there == 0.0:
+    if atom.value == 0.0 or atom.twin_value == 0.0:
         return None
-    here, there = number.here / atom.here, number.there / atom.there
+    here, there = number.value / atom.value, number.twin_value / atom.twin_value
     if abs(here - there) > COINCIDENCE_RTOL * abs(here):
         return None
     fraction = Fraction(here).limit_denominator(MAX_SIMPLE_DENOMINATOR)

@@ -130,7 +130,7 @@ def split_name(name: str) -> tuple[str, str]:
     return base, mark[1:-1] if mark.startswith("{") and mark.endswith("}") else mark
 
 
-def numbered(name: str) -> Iterator[str]:
+def numbered_names(name: str) -> Iterator[str]:
     """Yield names with the next numbers as subscripts: t₁, t₂ for t; m₂, m₃ for m₁; s_{x,2} for s_{x,1}.
 
     A subscript that is a number is incremented; no second number is appended.
@@ -143,7 +143,7 @@ def numbered(name: str) -> Iterator[str]:
         yield with_subscript(base, f"{mark},{number}" if mark else str(number))
 
 
-def primed(name: str, primes: int = 1) -> str:
+def with_primes(name: str, primes: int = 1) -> str:
     """Return a name with primes before its subscript."""
     base, mark = split_name(name)
     return with_subscript(base + "'" * primes, mark)
@@ -167,13 +167,13 @@ class NameAllocator:
     def fresh(self, base: str, mark: str = "") -> Symbol:
         """Return an unused name: the base with a subscript, and with a number if that is taken."""
         name = with_subscript(base, mark)
-        return self._take(next(each for each in chain([name], numbered(name)) if self._is_free(each)))
+        return self._take(next(each for each in chain([name], numbered_names(name)) if self._is_free(each)))
 
     def name_after_impact(self, base: str, mark: str = "") -> Symbol:
         """Return an unused name for a value just after an impact: v', then v'' and v''', then numbered ones."""
         name = with_subscript(base, mark)
-        names = [primed(name, primes) for primes in range(1, MAX_PRIMES + 1)]
-        return self._take(next(each for each in chain(names, numbered(names[0])) if self._is_free(each)))
+        names = [with_primes(name, primes) for primes in range(1, MAX_PRIMES + 1)]
+        return self._take(next(each for each in chain(names, numbered_names(names[0])) if self._is_free(each)))
 
     def _is_free(self, name: str) -> bool:
         return canonical(name) not in self._taken

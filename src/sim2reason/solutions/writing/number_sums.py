@@ -64,7 +64,7 @@ def _of_totals(
             )
             if fits.any():
                 number = int(np.argmax(fits))
-                return (total(one.name for one in subset) * _product(products[number])).scaled(
+                return (total(one.name for one in subset) * _product(products[number])).scale(
                     float(np.sign(ratios[0][number]))
                 )
     return None
@@ -85,7 +85,7 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[LabelledNumber
         value = sum(w * prod(atom.here for atom in factors) for w, factors in zip(weights, pair, strict=True))
         twin = sum(w * prod(atom.there for atom in factors) for w, factors in zip(weights, pair, strict=True))
         if abs(value - here) <= COINCIDENCE_RTOL * abs(here) and abs(twin - there) <= COINCIDENCE_RTOL * abs(there):
-            return _product(pair[0]).scaled(weights[0]) + _product(pair[1]).scaled(weights[1])
+            return _product(pair[0]).scale(weights[0]) + _product(pair[1]).scale(weights[1])
     return None
 
 
@@ -104,7 +104,7 @@ def _values(products: Sequence[tuple[LabelledNumber, ...]]) -> tuple[Array, Arra
 
 
 def _product(factors: tuple[LabelledNumber, ...]) -> Polynomial:
-    product = Polynomial.of(1.0)
+    product = Polynomial.from_expression(1.0)
     for atom in factors:
         product = product * atom.name
     return product

@@ -45,7 +45,7 @@ class SolutionBuilder(NameAllocator):
         self.constants: dict[str, Expression] = {}  # those among them that are of nature
         self.hidden: set[str] = set()  # names whose values hang on what is unknown
         self.formulas: dict[str, Expression] = {}  # of those, in order
-        self.keen = 1.0  # relative: by how much what is given changes with what is unknown
+        self.condition_number = 1.0  # relative: by how much what is given changes with what is unknown
         self.sign_chosen = 0  # 1 or −1, for the magnitude of what hangs on an unknown, see `goals.modulus`
         self.passage = 0  # 1 or 2: at which of the times a quantity passes a value that is asked for; 0 if that is open
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
@@ -139,7 +139,7 @@ class SolutionBuilder(NameAllocator):
         """Return a formula if its value is positive, else its negative."""
         return formula if self.value(formula) > 0.0 else -formula
 
-    def worked(self, formula: Expression) -> Expression:
+    def defer_to_number(self, formula: Expression) -> Expression:
         """Return a formula to be written as a number only, or unchanged if it depends on the unknown."""
         return formula if self.is_hidden(formula) else NumericFormula(formula, self.value(formula))
 
@@ -194,7 +194,7 @@ class StepBuilder:
     def __init__(self, book: SolutionBuilder, kind: str) -> None:
         """Begin an empty step of a kind."""
         self._book, self._kind = book, kind
-        self._said: list[str] = []
+        self._sentences: list[str] = []
         self.relations: list[Relation] = []  # recorded so far
         self._gives: list[str] = []
         self._rests: list[str] = []
@@ -211,7 +211,7 @@ class StepBuilder:
 
     def add_text(self, *sentences: str) -> None:
         """Append sentences to the text of the step."""
-        self._said.extend(sentence for sentence in sentences if sentence)
+        self._sentences.extend(sentence for sentence in sentences if sentence)
 
     def law(self, left: Expression, right: Expression) -> str:
         """Record a law and return it in LaTeX with dollars."""
@@ -294,8 +294,8 @@ class StepBuilder:
 
     def close(self) -> None:
         """Append the step to the builder, unless it is empty."""
-        if self._said or self.relations or self._integration:
-            text = " ".join(self._said)
+        if self._sentences or self.relations or self._integration:
+            text = " ".join(self._sentences)
             self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)
 
 

@@ -16,13 +16,13 @@ from sim2reason.testing.specimens import Specimen, Specimens
 from sim2reason.testing.transformations import (
     acting,
     edges,
+    external_force,
     integrals,
     intervals,
     kinetic,
     momentum,
     movable,
     powers,
-    push,
 )
 
 REFUSED = 0.1  # fraction of scenes that may be refused with a reason; at least one scene
@@ -181,7 +181,7 @@ class MomentumCheck(Check):
         ways = list(movable(trace.mechanism))
 
         def pushing(state: State) -> Array:
-            return np.array([push(state, coordinate) for coordinate in ways])
+            return np.array([external_force(state, coordinate) for coordinate in ways])
 
         for start, stop in intervals(trace, found.end) if ways else ():
             pushes, sizes = integrals(trace, start, stop, pushing, _momentum_floor(trace.mechanism))

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import SimulatedScene
-from sim2reason.questions.unknown import limits_of
+from sim2reason.questions.unknown import find_limits
 from sim2reason.scenes.dsl.choices import chances
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Mechanism, RigidBody, SurfaceContact
@@ -21,10 +21,10 @@ from sim2reason.simulation.trace import ENGINES
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import (
-    IT,
+    ENTITY_NAME,
     Specimen,
     Specimens,
-    changed,
+    change_numbers,
     differences,
     specimen,
     stated_by_word,
@@ -60,7 +60,7 @@ class GivensCheck(Check):
                 or stated_by_word(found.scene, path)
             ):
                 continue
-            other = studied(changed(found.scene, {path: value * SHIFT}), found.scene.horizon)
+            other = studied(change_numbers(found.scene, {path: value * SHIFT}), found.scene.horizon)
             difference = next(differences(found, other), None) if other is not None else None
             if difference is not None:
                 yield found.finding(
@@ -98,7 +98,7 @@ def _decided(found: Specimen) -> set[str]:
     """Return which masses and coefficients of the mechanism change with some stated number."""
     before, decided = _facts(found.study.mechanism), set[str]()
     for path, parameter in stated_numbers(found.scene).items():
-        other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
+        other = change_numbers(found.scene, {path: (parameter.value or 0.0) * SHIFT})
         if other is not None and parameter.value:
             after = _facts(other.mechanism)
             decided |= {name for name, value in before.items() if after.get(name) != value}
@@ -155,7 +155,7 @@ class HiddenNumbersCheck(Check):
             hidden = [p for p in found.scene.parameters if p.hidden and p.value is not None]
             for _ in range(HIDDEN_DRAWS if hidden else 0):
                 numbers = {parameter.path: _redrawn(found.scene, parameter, rng) for parameter in hidden}
-                other = studied(changed(found.scene, numbers), found.scene.horizon)
+                other = studied(change_numbers(found.scene, numbers), found.scene.horizon)
                 difference = next(differences(found, other), None) if other is not None else None
                 if difference is not None:
                     assignments = ", ".join(f"{path} = {value:g}" for path, value in numbers.items())
@@ -178,9 +178,9 @@ def _redrawn(scene: Scene, parameter: Parameter, rng: np.random.Generator) -> fl
 
 
 RANGE_DRAWS, MANY_DRAWS = 60, 300  # seeds of draws, and their number where a value seems to be constant
-OFTEN = 12  # draws after which an unchanged value counts as constant
+MIN_DRAWS = 12  # draws after which an unchanged value counts as constant
 FRESH, MOST = 1000, 150  # first seed and number of extra scenes for a number that seems irrelevant
-MORE = 12  # scenes with a number after which it counts as irrelevant
+MIN_SCENES = 12  # scenes with a number after which it counts as irrelevant
 SHIFTS = (1.01, 0.99)
 
 
@@ -200,9 +200,9 @@ class RangesCheck(Check):
         for member in specimens.moving:
             looked.at(member)
         for seed in range(FRESH, FRESH + MOST):
-            if not looked.open:
+            if not looked.undecided_numbers:
                 break
-            looked.again(specimen(specimens.cls, seed))
+            looked.test_again(specimen(specimens.cls, seed))
         for name in looked.dead:
             others = f"nor of {looked.again_with[name]} others with this number"
             yield looked.seen[name].finding(
@@ -227,23 +227,23 @@ class _Looked:
         return sorted(self.seen.keys() - self.alive)
 
     @property
-    def open(self) -> list[str]:
+    def undecided_numbers(self) -> list[str]:
         """Return the numbers that have affected no answer, but in too few scenes to be called irrelevant."""
-        return [name for name in self.dead if self.again_with[name] < MORE]
+        return [name for name in self.dead if self.again_with[name] < MIN_SCENES]
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
         """Change each number of a scene that is not yet known to affect an answer, and record the result."""
         for path in stated_numbers(found.scene, found.seed):
             name = _field(path)
-            if path.startswith(f"{IT}.") and name not in self.alive and (only is None or name in only):
+            if path.startswith(f"{ENTITY_NAME}.") and name not in self.alive and (only is None or name in only):
                 self.seen.setdefault(name, found)
                 if _matters(found, path):
                     self.alive.add(name)
 
-    def again(self, found: Specimen) -> None:
+    def test_again(self, found: Specimen) -> None:
         """Change the numbers that seem irrelevant in one more scene, to find an answer that they affect."""
         if found.moves:
-            dead = self.open
+            dead = self.undecided_numbers
             self.again_with.update(
                 {_field(path) for path in stated_numbers(found.scene, found.seed)}.intersection(dead)
             )
@@ -262,9 +262,9 @@ def _matters(member: Specimen, path: str) -> bool:
     owner, _, name = path.rpartition(".")
     kind = cast("type[Model]", type(member.scene.value(owner)))
     if field_types(kind)[name].above:  # a limit, which matters where it lies beyond another
-        candidates += limits_of(member.scene, path)
+        candidates += find_limits(member.scene, path)
     for other in candidates:
-        scene = changed(member.scene, {path: other})
+        scene = change_numbers(member.scene, {path: other})
         if scene is not None:
             again = studied(scene, member.scene.horizon)
             if again is None or next(differences(member, again), None) is not None:
@@ -276,7 +276,7 @@ def _constant(cls: type[Entity]) -> list[str]:
     """Return the declared ranges and choices that never vary."""
     values: dict[str, list[object]] = {}
     for seed in range(MANY_DRAWS):
-        if seed >= RANGE_DRAWS and not _alike(values):
+        if seed >= RANGE_DRAWS and not _constant_names(values):
             break
         try:
             entity = draw(cls, np.random.default_rng([seed, 3]), chances(cls))
@@ -284,12 +284,12 @@ def _constant(cls: type[Entity]) -> list[str]:
             continue
         for name, value in _varying(entity):
             values.setdefault(name, []).append(value)
-    return _alike(values)
+    return _constant_names(values)
 
 
-def _alike(values: Mapping[str, list[object]]) -> list[str]:
+def _constant_names(values: Mapping[str, list[object]]) -> list[str]:
     """Return the names with many drawn values that are all equal."""
-    return sorted(name for name, draws in values.items() if len(draws) >= OFTEN and len(set(draws)) == 1)
+    return sorted(name for name, draws in values.items() if len(draws) >= MIN_DRAWS and len(set(draws)) == 1)
 
 
 def _varying(value: Model) -> Iterator[tuple[str, object]]:

@@ -6,22 +6,22 @@ from dataclasses import dataclass
 from typing import get_args
 
 from sim2reason.errors import SceneError, TextError
-from sim2reason.scenes.dsl.choices import reachable
+from sim2reason.scenes.dsl.choices import contained_classes
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.fields import Resistance
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.structure import weighs
+from sim2reason.scenes.dsl.structure import is_gravity_relevant
 from sim2reason.scenes.dsl.template import PartLines, Topic, variants
 from sim2reason.scenes.files import load
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_by_word, stated_numbers
+from sim2reason.testing.specimens import Specimen, Specimens, change_numbers, stated_by_word, stated_numbers
 from sim2reason.text.parsing import ParsedScene, parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.ordinary.textbook import AIRLESS
-from sim2reason.text.parsing.sentences import pieces
+from sim2reason.text.parsing.sentences import split_pieces
 from sim2reason.text.prose.description import Description, describe
-from sim2reason.text.prose.voices import hiding, symbolic
+from sim2reason.text.prose.voices import symbolic, symbolic_at
 
 WORDINGS = 3
 
@@ -55,7 +55,7 @@ class RoundTripCheck(Check):
         except SceneError as error:
             yield found.finding(self.name, expected, f"{error}\n  text: {description.text}", remedy)
             return
-        if meant(parsed) != meaning(description) or numbers(parsed.scene) != numbers(description.scene):
+        if text_signature(parsed) != meaning(description) or numbers(parsed.scene) != numbers(description.scene):
             other = "it is read as another scene"
             yield found.finding(self.name, expected, f"{other}\n  text: {description.text}", remedy)
 
@@ -66,7 +66,7 @@ def meaning(description: Description) -> Signature:
     return signature(scene, {address: description.mention(address) for address in scene.bodies})
 
 
-def meant(parsed: ParsedScene) -> Signature:
+def text_signature(parsed: ParsedScene) -> Signature:
     """Return the equivalence signature of a parsed text."""
     return signature(parsed.scene, parsed.mentions)
 
@@ -88,7 +88,7 @@ class WordingsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Yield the sentences that have fewer than three wordings."""
-        for model in reachable(specimens.cls):
+        for model in contained_classes(specimens.cls):
             lines = model.says if issubclass(model, Part) else ()
             for saying in (line for line in lines if not isinstance(line, PartLines)):
                 for ways in variants(saying):
@@ -143,11 +143,11 @@ class MaskingCheck(Check):
     def _numbers(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for hidden numbers that the text still reveals, or that its parse does not report."""
         for path, parameter in stated_numbers(found.scene, found.seed).items():
-            other = changed(found.scene, {path: (parameter.value or 1.0) * SHIFT})
-            text = describe(found.scene, found.seed, hiding(path)).text
+            other = change_numbers(found.scene, {path: (parameter.value or 1.0) * SHIFT})
+            text = describe(found.scene, found.seed, symbolic_at(path)).text
             expected = f"with {path} hidden, nothing in the text depends on it"
             if other is not None and not stated_by_word(other, path):
-                its = describe(other, found.seed, hiding(path)).text
+                its = describe(other, found.seed, symbolic_at(path)).text
                 if its != text:
                     remedy = "say each number through its own slot, so that it can be hidden"
                     yield found.finding(self.name, expected, f"it reads: {text}\n  or: {its}", remedy)
@@ -159,8 +159,8 @@ class MaskingCheck(Check):
     def _sentences(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for sentences and table rows whose removal does not change the meaning."""
         description = found.description
-        spared = spare(description)
-        for cut, text in without_one(list(pieces(description.text))):
+        spared = optional_sentences(description)
+        for cut, text in without_one(list(split_pieces(description.text))):
             if cut not in spared and _understood(text) == meaning(description):
                 yield found.finding(
                     self.name,
@@ -181,12 +181,12 @@ def _lacks(text: str, path: str) -> bool:
 def _understood(text: str) -> object:
     """Return the parsed meaning of a text; None if it is refused."""
     try:
-        return meant(parse_scene(text))
+        return text_signature(parse_scene(text))
     except TextError:
         return None
 
 
-def spare(description: Description) -> set[str]:
+def optional_sentences(description: Description) -> set[str]:
     """Return the sentences that matter only for some questions, so that they may be omitted.
 
     Sentences on the initial state are excluded: a text without a question needs them.
@@ -198,14 +198,14 @@ def spare(description: Description) -> set[str]:
 def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
     """Yield each removed sentence or table row, with the remaining text."""
     for index, part in enumerate(parts):
-        yield part, together([*parts[:index], *parts[index + 1 :]]) or " "
+        yield part, join_sentences([*parts[:index], *parts[index + 1 :]]) or " "
         rows = part.split("\n")
         for number, row in enumerate(rows) if len(rows) > 1 else ():
             shorter = "\n".join(rows[:number] + rows[number + 1 :])
-            yield row, together([*parts[:index], shorter, *parts[index + 1 :]])
+            yield row, join_sentences([*parts[:index], shorter, *parts[index + 1 :]])
 
 
-def together(parts: list[str]) -> str:
+def join_sentences(parts: list[str]) -> str:
     """Return sentences and tables joined to one text."""
     return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()
 
@@ -232,7 +232,7 @@ def _has_motion_at_the_start(scene: Scene) -> bool:
 
 
 def _has_weight(scene: Scene) -> bool:
-    return weighs(scene.mechanism)
+    return is_gravity_relevant(scene.mechanism)
 
 
 _NEGLIGIBLE = r"(?:is|are|can be|may be) (?:negligible|neglected|ignored|absent)"

@@ -16,7 +16,15 @@ from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES, Trace
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, differences, stated_numbers, studied
+from sim2reason.testing.specimens import (
+    ENTITY_NAME,
+    Specimen,
+    Specimens,
+    change_numbers,
+    differences,
+    stated_numbers,
+    studied,
+)
 from sim2reason.testing.transformations import mirrored
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose.description import describe
@@ -102,7 +110,7 @@ class ScalingCheck(Check):
                 yield from self._scaled(specimen, units)
 
     def _scaled(self, found: Specimen, units: Units) -> Iterator[Finding]:
-        other = scaled(found, units)
+        other = scale_numbers(found, units)
         difference = next(differences(found, other, _factor(units)), None) if other is not None else None
         if difference is not None:
             yield found.finding(
@@ -113,14 +121,14 @@ class ScalingCheck(Check):
             )
 
 
-def scaled(specimen: Specimen, units: Units) -> SimulatedScene | None:
+def scale_numbers(specimen: Specimen, units: Units) -> SimulatedScene | None:
     """Return the scene with its stated numbers multiplied as in smaller units, simulated; None if invalid."""
     numbers = {
         path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
         for path, parameter in stated_numbers(specimen.scene, specimen.seed).items()
         if parameter.value
     }
-    return studied(changed(specimen.scene, numbers), specimen.scene.horizon * units.time)
+    return studied(change_numbers(specimen.scene, numbers), specimen.scene.horizon * units.time)
 
 
 def _factor(units: Units) -> Callable[[Dimension], float]:
@@ -142,7 +150,7 @@ class AblationsCheck(Check):
             for address in removable(specimen.scene):
                 yield from self._without(specimen, address)
             for body in specimen.scene.mechanism.bodies:
-                if body.coordinates and body.name.startswith(f"{IT}."):
+                if body.coordinates and body.name.startswith(f"{ENTITY_NAME}."):
                     yield from self._glued(specimen, body.name)
 
     def _without(self, found: Specimen, address: str) -> Iterator[Finding]:
@@ -195,7 +203,7 @@ def _made(make: Callable[[], Scene]) -> Scene | None:
 
 def removable(scene: Scene) -> Iterator[str]:
     """Yield the addresses of removable parts: optional fields with a value, and members of lists."""
-    yield from _removable(scene.entity(IT), IT)
+    yield from _removable(scene.entity(ENTITY_NAME), ENTITY_NAME)
 
 
 def _removable(value: Model, address: str) -> Iterator[str]:

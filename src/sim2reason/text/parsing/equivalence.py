@@ -36,12 +36,12 @@ from sim2reason.scenes.dsl.mechanism import (
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing
-from sim2reason.scenes.dsl.vectors import Tensor, applied, dot, minus
+from sim2reason.scenes.dsl.vectors import Tensor, apply_tensor, dot, subtract_triples
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]
 GRADIENT_FLOOR = 1e-9  # √kg; a mass-weighted gradient shorter than this counts as zero
-ROUNDS = 3  # of refining the labels of rows by those of their neighbours
+REFINEMENT_ROUNDS = 3  # of refining the labels of rows by those of their neighbours
 STAGES = (0.0, 0.37, -0.23)  # displacements from the start at which mechanisms are compared: m, rad or s
 
 
@@ -105,7 +105,7 @@ class _Rows:
         total -= basis @ (basis.T @ total)
         return dict(zip((body.name for body in bodies), total.reshape(-1, 3), strict=True))
 
-    def _called(self, address: str | None) -> str:
+    def _name_of(self, address: str | None) -> str:
         return self._names.get(address or "", "")
 
     def _add(self, label: Label, row: Array) -> None:
@@ -126,7 +126,7 @@ class _Rows:
 
         The principal moments of inertia are part of the label, since they affect rolling bodies at rest.
         """
-        point, called = self._frames.center(body.name), self._called(body.name)
+        point, called = self._frames.center(body.name), self._name_of(body.name)
         spread = self._spread(point)
         bends = self._bends.get(body.name, np.zeros(3))
         for axis in range(3):
@@ -135,7 +135,7 @@ class _Rows:
         turns = self._turns(body)
         if turns:
             frame, inertia = self._frames[body.name], _matrix(body.inertia)
-            spin = np.array(frame.unturned(frame.turning.velocity))
+            spin = np.array(frame.to_body_axes(frame.turning.velocity))
             own = [*map(_rounded, np.linalg.eigvalsh(inertia)), _rounded(float(spin @ inertia @ spin))]
             for row in turns:
                 self._add(("turn", called, *own), row)
@@ -152,19 +152,19 @@ class _Rows:
             return []
         own = np.zeros((3, self._width))
         for number, axis in frame.turning.gradient.items():
-            own[:, number] = frame.unturned(axis)
+            own[:, number] = frame.to_body_axes(axis)
         return [row for row in _root(body.inertia) @ own if np.abs(row).max() > 0.0]
 
     def hit(self, hit: CollisionPair) -> Label:
         """Return the label of a possible collision: the bodies' names, the restitution and the initial gap."""
-        one, other = sorted((hit.a or "", hit.b), key=self._called)
+        one, other = sorted((hit.a or "", hit.b), key=self._name_of)
         places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
-        separation = minus(places[1], places[0])
+        separation = subtract_triples(places[1], places[0])
         if hit.normal is not None:
             along = dot(hit.normal, separation)
             separation = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
         numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *separation)]
-        return "hit", self._called(one), self._called(other), repr(numbers)
+        return "hit", self._name_of(one), self._name_of(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
         """Return the label of a force: its value at several velocities, and the distances from its region's borders."""
@@ -172,14 +172,14 @@ class _Rows:
         velocities = (point.velocity, X, Y, Z)
         forces = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
         borders = () if force.region is None else force.region.margins(point.place, math)
-        return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(forces), *borders))
+        return "force", self._name_of(force.body), *map(_rounded, (*chain.from_iterable(forces), *borders))
 
     def pairs(self) -> list[Label]:
         """Return the labels of the pairs of bodies that attract each other, with their distances."""
         labels: list[Label] = []
         for pair in self.mechanism.attractions:
             distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
-            both = sorted((self._called(pair.a), self._called(pair.b)))
+            both = sorted((self._name_of(pair.a), self._name_of(pair.b)))
             labels.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
         return labels
 
@@ -196,13 +196,13 @@ class _Rows:
             one, other = self._frames.site(first), self._frames.site(last)
             distance = dist(one.place, other.place)
             if distance > 0.0:
-                separation = np.array(minus(other.place, one.place))
+                separation = np.array(subtract_triples(other.place, one.place))
                 row += separation / distance @ (self._spread(other) - self._spread(one))
         law, stretch = line.law, 0.0
         if isinstance(law, Elastic):
             stretch = self._frames.length(line) + wound - law.length
             law = replace(law, length=0.0)
-        self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
+        self._add(("line", self._name_of(line.name), law, _rounded(stretch)), row)
 
     def foot(self, foot: PlaneContact) -> None:
         """Add the gradients of the position of an edge that may touch a plane, along its normal and its surface."""
@@ -227,7 +227,7 @@ class _Rows:
         product = np.where(turning[:, None] | turning, abs(product), product)  # no text tells which way a wheel turns
         product = np.round(product, 7) + 0.0
         labels: list[object] = list(self._labels)
-        for _ in range(ROUNDS):
+        for _ in range(REFINEMENT_ROUNDS):
             keys = [hash((repr(labels[i]), product[i, i], _near(product[i], labels))) for i in range(len(labels))]
             labels = list(keys)
         return tuple(sorted(map(repr, labels)))
@@ -250,7 +250,7 @@ def _root(inertia: Tensor) -> Array:
 
 
 def _matrix(inertia: Tensor) -> Array:
-    return np.array([applied(inertia, axis) for axis in (X, Y, Z)])
+    return np.array([apply_tensor(inertia, axis) for axis in (X, Y, Z)])
 
 
 def _near(products: Array, labels: list[object]) -> tuple[object, ...]:

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.connection import Connection, InternalConnection, Leg, Link
-from sim2reason.scenes.dsl.entity import Part, inside, outer_ports, ports_of
+from sim2reason.scenes.dsl.entity import Part, declared_ports, internal_connections, outer_ports
 from sim2reason.scenes.dsl.model import FieldType, field_types
 from sim2reason.scenes.dsl.ports import Chain, Pass, SitePort, Stop, StringEnd, StringPort, reversed_stops, travelled
-from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, variants, wordings
+from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Wordings, line_topic, slots, variants, wordings
 from sim2reason.text.parsing.matcher import Matcher
 from sim2reason.text.parsing.parse_state import MAX_MEMBERS, ParseState, declared_type
 from sim2reason.text.parsing.sentences import parse_table
@@ -40,7 +40,7 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
     if rest:
         inner = f"{address}.{head}"
         return port_stops(state, rest, inner) if inner in state.kinds else []
-    port = ports_of(state.kind(address, Part))[name]
+    port = declared_ports(state.kind(address, Part))[name]
     if isinstance(port, Chain):
         return [stop for inner in port.stops for stop in port_stops(state, inner, address)]
     return [Stop(address, port)] if isinstance(port, SitePort) else []
@@ -107,13 +107,13 @@ def _sentence_starts(kind: type[Part]) -> _SentenceStarts:
     return _SentenceStarts(
         frozenset(chain(*lines, *(starts.templates for starts in inner_starts))),
         any(isinstance(saying, Each) for saying in own) or any(starts.tables for starts in inner_starts),
-        bool(inside(kind)) or any(starts.strings for starts in inner_starts),
+        bool(internal_connections(kind)) or any(starts.strings for starts in inner_starts),
     )
 
 
 def entity_lines(matcher: Matcher, address: str, position: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of all sentences of an entity: of its parts, its own, of its inner strings."""
-    inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
+    inner = [partial(_inside, matcher, address, name) for name in internal_connections(state.kind(address, Part))]
     steps: list[Step] = [partial(part_lines, matcher, address), *inner]
     yield from _in_turn(steps, position, state)
 
@@ -178,7 +178,7 @@ def _inside(
     matcher: Matcher, address: str, name: str, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parse of the sentence of an entity's inner connection, with the index of the next sentence."""
-    inner = inside(state.kind(address, Part))[name]
+    inner = internal_connections(state.kind(address, Part))[name]
     routes = InnerRoute(address, inner)
     for parsed in inner.kind.parse(f"{address}.{name}", position, state, matcher, routes):
         yield position + 1, parsed.state
@@ -203,8 +203,8 @@ def _saying(
                     yield position + 1, then
     if one is not None:
         yield position, one
-    if topic := topic_of(saying):
-        yield position, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
+    if topic := line_topic(saying):
+        yield position, _with_minimums(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
     for then in _unsaid(wordings(saying)[0], address, state):
         yield position, then
 
@@ -216,7 +216,7 @@ def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseSt
     return state.with_value(f"{address}.{saying.given}", None)
 
 
-def _at_least(template: str, address: str, state: ParseState) -> ParseState:
+def _with_minimums(template: str, address: str, state: ParseState) -> ParseState:
     """Return the state after omission of a sentence, whose numbers get the smallest values that are ever drawn."""
     kind = state.kind(address, Part)
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):

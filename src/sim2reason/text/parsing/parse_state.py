@@ -18,7 +18,7 @@ from sim2reason.scenes.dsl.measures import Measure
 from sim2reason.scenes.dsl.model import FieldType, M, Model, field_types
 from sim2reason.scenes.dsl.scene import Scene, World
 from sim2reason.scenes.dsl.template import Topic, Word
-from sim2reason.scenes.dsl.units import coherent
+from sim2reason.scenes.dsl.units import to_coherent_unit
 from sim2reason.scenes.files.validation import explain_error
 from sim2reason.text.prose.phrases import Names, body_name, letter_at
 
@@ -182,7 +182,7 @@ def declared_type(state: ParseState, address: str) -> DeclaredType:
     raise KeyError(address)
 
 
-def joined(owner: str, path: str) -> str:
+def join_address(owner: str, path: str) -> str:
     """Return the address of a relative path below an owner."""
     return f"{owner}.{path}" if owner else path
 
@@ -193,7 +193,7 @@ def part_word(state: ParseState, owner: str, path: str) -> Word | None:
     return kind.words.get(path) if kind is not None and issubclass(kind, Part | Connection) else None
 
 
-def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
+def canonical_addresses(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
     """Yield the address with an index for `first` or `last`; each possible index if the list's length is open."""
     address = address.replace(".first.", ".0.")
     owner, _, step = address.rpartition(".")
@@ -217,13 +217,13 @@ NUMBER = re.compile(
 SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 
 
-def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
+def possible_units(digits: str, unit: str) -> list[tuple[str, float]]:
     """Return the units in which a number may be given, each with the number's value in the declared `unit`.
 
     For example, a speed declared in km/s may be stated in m/s.
     """
     number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
-    bare, size = coherent(unit)
+    bare, size = to_coherent_unit(unit)
     stated = [(unit, float(number))]
     return stated if size == 1 else [*stated, (bare, float(Decimal(number) / size))]
 

@@ -14,10 +14,10 @@ from sim2reason.scenes.dsl.template import Topic
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.lines import entity_lines, free_legs, may_begin, must_end_at
 from sim2reason.text.parsing.matcher import NONE_GIVEN, Matcher
-from sim2reason.text.parsing.ordinary.equivalents import first_unknown_sentence, nearest, recast
-from sim2reason.text.parsing.ordinary.textbook import LibraryText, library_texts, superfluous
+from sim2reason.text.parsing.ordinary.equivalents import find_nearest_form, first_unknown_sentence, recast_text
+from sim2reason.text.parsing.ordinary.textbook import LibraryText, find_superfluous_sentence, library_texts
 from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState, build_scene
-from sim2reason.text.parsing.sentences import MissingClosingError, missing_closings, pieces, prove, shown
+from sim2reason.text.parsing.sentences import MissingClosingError, missing_closings, prove, quoted, split_pieces
 from sim2reason.text.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
@@ -95,11 +95,11 @@ def parse_scene(
         {'the plane': 'e1.plane', 'the block': 'e1.blocks.0'}
     """
     rng = rng if rng is not None else np.random.default_rng(0)
-    sentences = pieces(text)
-    readings = _readings(sentences, rng, given, startless=startless)
-    if len(readings.found) == 1:
-        return readings.found[0]
-    plain = readings.stuck is not None and not startless and not given
+    sentences = split_pieces(text)
+    readings = _parse_library_text(sentences, rng, given, startless=startless)
+    if len(readings.scenes) == 1:
+        return readings.scenes[0]
+    plain = readings.stuck_at is not None and not startless and not given
     parsed = _in_ordinary_english(sentences, rng) if plain else None
     if parsed is not None:
         return parsed
@@ -109,7 +109,7 @@ def parse_scene(
     ]
     if len(parsed_scenes) == 1:
         return parsed_scenes[0]
-    stuck = superfluous(sentences) or readings.stuck or 0
+    stuck = find_superfluous_sentence(sentences) or readings.stuck_at or 0
     raise _sent_on(text, _with_missing(_with_nearest(stuck, sentences), translations) if plain else readings.error())
 
 
@@ -117,53 +117,55 @@ def parse_scene(
 class _Parses:
     """The verified parses of a text, and the errors of rejected parses with counts of missing closing sentences."""
 
-    found: list[ParsedScene]
-    refused: list[tuple[int, TextError]]
+    scenes: list[ParsedScene]
+    refused_error: list[tuple[int, TextError]]
     matcher: Matcher
 
     @property
-    def unsaid(self) -> list[str]:
+    def missing_closing(self) -> list[str]:
         """Return the names of the closing sentences, such as *rest*, without which parses were rejected."""
-        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, MissingClosingError)))
+        return list(
+            dict.fromkeys(error.name for _, error in self.refused_error if isinstance(error, MissingClosingError))
+        )
 
     @property
-    def stuck(self) -> int | None:
+    def stuck_at(self) -> int | None:
         """Return the index of the first sentence that no parse matches; None if some parse matches all."""
         reach = self.matcher.reach
-        return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
+        return reach if not self.scenes and not self.refused_error and reach < len(self.matcher.pieces) else None
 
     def error(self) -> TextError:
         """Return the error that explains why there is not exactly one parse."""
-        if self.found:
-            one, other = (_described(reading.scene) for reading in self.found[:2])
+        if self.scenes:
+            one, other = (_described(reading.scene) for reading in self.scenes[:2])
             return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
-        if self.refused:
-            return min(self.refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
-        if self.stuck is None:
+        if self.refused_error:
+            return min(self.refused_error, key=lambda each: each[0])[1]  # of the reading of which least is missing
+        if self.stuck_at is None:
             return TextError("text", "it ends before all is told", "give the whole text of one scene")
-        return _unread(self.stuck, self.matcher.pieces[self.stuck])
+        return _unread(self.stuck_at, self.matcher.pieces[self.stuck_at])
 
 
 def _in_ordinary_english(sentences: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
     """Return the scene of a text in ordinary English via the library's sentences; None if that fails."""
-    for first in recast(sentences):
+    for first in recast_text(sentences):
         waiting = [first]
         for rewritten in waiting:  # grows as it is walked through
-            readings = _readings(rewritten.said, rng, NONE_GIVEN)
-            if len(readings.found) == 1 and rewritten.is_complete:
-                return readings.found[0]
+            readings = _parse_library_text(rewritten.sentences, rng, NONE_GIVEN)
+            if len(readings.scenes) == 1 and rewritten.is_complete:
+                return readings.scenes[0]
             if len(rewritten.added) < PRESUMED_AT_MOST:
-                more = (rewritten.adding(name) for name in readings.unsaid)
+                more = (rewritten.adding(name) for name in readings.missing_closing)
                 waiting.extend(text for text in more if text is not None and text not in waiting)
     return None
 
 
 def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedScene]:
     """Parse a translated text; the list is empty if a number is out of range, such as a slope of 95°."""
-    return _readings(pieces(translation.text), rng, NONE_GIVEN).found
+    return _parse_library_text(split_pieces(translation.text), rng, NONE_GIVEN).scenes
 
 
-def _readings(
+def _parse_library_text(
     sentences: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
 ) -> _Parses:
     """Return all parses of a text in the library's own sentences."""
@@ -204,18 +206,18 @@ def _sent_on(text: str, error: TextError) -> TextError:
 def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
     """Return the error for a sentence that does not parse, with the most similar sentence of the library."""
     remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
-    return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
+    return TextError(f"sentence {index + 1}", f"{quoted(sentence)} is not understood", remedy)
 
 
 def _with_nearest(stuck: int, sentences: tuple[str, ...]) -> TextError:
-    """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck` on."""
+    """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck_at` on."""
     unlike = first_unknown_sentence(sentences[stuck:])
-    rewritten = next(recast(sentences), None) if unlike is None else None
+    rewritten = next(recast_text(sentences), None) if unlike is None else None
     if rewritten is not None:
-        words = f"in the library's words: {' '.join(rewritten.said)}"
+        words = f"in the library's words: {' '.join(rewritten.sentences)}"
         return TextError("text", "its sentences make no scene together", words)
     index = stuck + (unlike or 0)
-    return _unread(index, sentences[index], nearest(sentences[index]))
+    return _unread(index, sentences[index], find_nearest_form(sentences[index]))
 
 
 def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:

@@ -16,14 +16,21 @@ from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.measures import Measure, join_unit, show_unit
 from sim2reason.scenes.dsl.model import Parameter, field_types
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Topic, topic_of
-from sim2reason.scenes.dsl.units import UnitError, coherent
+from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Topic, line_topic
+from sim2reason.scenes.dsl.units import UnitError, to_coherent_unit
 from sim2reason.text.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.text.parsing.parse_state import NUMBER, SYMBOL, ParseState
 from sim2reason.text.prose.closings import Closing, closings
 from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.phrases import LEAD_INS, headings, introduced, letters, sentence_templates, shared_start
-from sim2reason.text.prose.voices import Voice, hiding, numeric, symbolic
+from sim2reason.text.prose.phrases import (
+    LEAD_INS,
+    headings,
+    letters,
+    sentence_templates,
+    shared_start,
+    write_table_lead_in,
+)
+from sim2reason.text.prose.voices import Voice, numeric, symbolic, symbolic_at
 from sim2reason.text.prose.writer import Writer
 
 MAX_CHARACTERS = 20_000
@@ -32,7 +39,7 @@ MAX_PIECES = 60
 _END = re.compile(r"(?<=\.) ")
 
 
-def pieces(text: str) -> tuple[str, ...]:
+def split_pieces(text: str) -> tuple[str, ...]:
     """Return the sentences, and tables with rows joined by line breaks; TextError if empty or too long."""
     if len(text) > MAX_CHARACTERS:
         raise TextError("text", f"it has {len(text)} characters", f"give at most {MAX_CHARACTERS}")
@@ -60,7 +67,7 @@ def _sentences(lines: list[str]) -> list[str]:
     return _END.split(prose) if prose else []
 
 
-def shown(piece: str) -> str:
+def quoted(piece: str) -> str:
     """Return a sentence or table, shortened for error messages."""
     return repr(piece if len(piece) <= 120 else f"{piece[:117]}...")
 
@@ -93,7 +100,7 @@ def parse_table(
         return
     shown = [name for name, heading in headings(kind).items() if heading in grid.headings]
     for number, lead in enumerate(leads or LEAD_INS):
-        template = introduced(lead, grid.noun, kind, shown)
+        template = write_table_lead_in(lead, grid.noun, kind, shown)
         for next_state in matcher.sentence(position, template, field.rpartition(".")[0], then.with_choice(number)):
             matcher.reach = max(matcher.reach, at + 1)
             yield at + 1, next_state
@@ -202,7 +209,7 @@ class ScriptedWriter(Writer):
     def leaves_out(self, closing: Closing) -> bool:
         """Return whether to omit a closing sentence; one on the start, only if the text omits the initial motion."""
         if closing.role == "start":
-            return closing.name not in self._state.closings and _of_untold_start(closing, self._state)
+            return closing.name not in self._state.closings and _unstated_start(closing, self._state)
         return super().leaves_out(closing)
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
@@ -211,7 +218,7 @@ class ScriptedWriter(Writer):
         if isinstance(saying, Each):
             is_stated = bool(getattr(part, saying.field))
         else:
-            included = topic_of(saying) not in self._without
+            included = line_topic(saying) not in self._without
             is_stated = included and self.says_line(saying, sentence_templates(saying, part)[0], part)
         return super()._say(saying, part, address) if is_stated else []
 
@@ -222,13 +229,13 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
     def said(parameter: Parameter, symbol: str) -> str:
         return (symbolic if symbol in given or parameter.path in unknown else numeric)(parameter, symbol)
 
-    return said if given else hiding(*unknown)
+    return said if given else symbolic_at(*unknown)
 
 
 def missing_closings(scene: Scene, state: ParseState) -> list[str]:
     """Return the names of the closing sentences that the text omits although every answer depends on them."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
-    return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
+    return [closing.name for closing in lacking if not closing.topic and not _unstated_start(closing, state)]
 
 
 def _plain(sentence: str) -> str:
@@ -238,13 +245,13 @@ def _plain(sentence: str) -> str:
 
 def _without_prefix(measured: re.Match[str]) -> str:
     try:
-        unit, size = coherent(measured[2])
+        unit, size = to_coherent_unit(measured[2])
     except UnitError:
         return measured[0]
     return f"{(Decimal(measured[1]) * size):f} {unit}"
 
 
-def _of_untold_start(closing: Closing, state: ParseState) -> bool:
+def _unstated_start(closing: Closing, state: ParseState) -> bool:
     """Return whether a closing sentence states the start from rest, in a text that omits the initial motion."""
     return closing.role == "start" and "start" in state.without
 
@@ -268,10 +275,10 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
     description = Description(scene, tuple(echo.sentences()), state.names, {})
     if spare := given.keys() - {echo.symbols.get(path) for path in echo.told}:
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")
-    again = pieces(description.text)
+    again = split_pieces(description.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
         if mine != theirs and _plain(mine) != _plain(theirs):
-            raise TextError(f"sentence {number}", f"{shown(theirs)} does not fit", f"say {shown(mine)}")
+            raise TextError(f"sentence {number}", f"{quoted(theirs)} does not fit", f"say {quoted(mine)}")
     if len(again) != len(text):
         count = f"it has {len(text)} sentences where the scene needs {len(again)}"
         raise TextError("text", count, "say each fact once")

@@ -9,16 +9,16 @@ from math import hypot
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, ConstantTension, Inextensible
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.structure import weighs, would_weigh
+from sim2reason.scenes.dsl.structure import is_gravity_relevant, would_gravity_matter
 from sim2reason.scenes.dsl.template import Role, Topic
-from sim2reason.scenes.dsl.vectors import dot, minus
+from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 
 
 @dataclass(frozen=True, slots=True)
 class Closing:
     """A closing sentence in several wordings, and the condition under which a scene needs it.
 
-    `of_symbol` is the wording for a symbolic number, which the other wordings would not define. A closing with a
+    `symbolic_wording` is the wording for a symbolic number, which the other wordings would not define. A closing with a
     `topic` appears only in texts of questions that it matters for.
     """
 
@@ -26,13 +26,13 @@ class Closing:
     needed: Callable[[Scene], bool]
     wordings: tuple[str, ...]
     role: Role = "assumption"
-    of_symbol: str = ""
+    symbolic_wording: str = ""
     topic: Topic | None = None
 
     @property
     def all_wordings(self) -> tuple[str, ...]:
         """Return all wordings, with the symbolic one last."""
-        return (*self.wordings, self.of_symbol) if self.of_symbol else self.wordings
+        return (*self.wordings, self.symbolic_wording) if self.symbolic_wording else self.wordings
 
 
 def _from_rest(scene: Scene) -> bool:
@@ -159,7 +159,7 @@ TURNING = {  # keys: several pulleys, massive pulleys
         "axles are frictionless, no string slips on a pulley",
     ),
 }
-ROOM = {  # keys: several pulleys, edges
+SPACE_WORDINGS = {  # keys: several pulleys, edges
     (False, False): ("every string is long enough", "no body reaches it", "there is ample room to move"),
     (True, False): ("no body reaches a pulley", "every string is long enough", "all strings are long enough"),
     (False, True): (
@@ -173,7 +173,7 @@ ROOM = {  # keys: several pulleys, edges
         "all strings and surfaces are long enough",
     ),
 }
-_EITHER = (False, True)
+_BOOLEANS = (False, True)
 
 
 def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
@@ -185,7 +185,7 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
 
     pulleys = "massive " * massive + ("pulleys" if several else "pulley")
     wordings = tuple(
-        f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[several, edges]
+        f"{turning}, and {room}." for turning in TURNING[several, massive] for room in SPACE_WORDINGS[several, edges]
     )
     return Closing(f"{pulleys} and room{' on faces' * edges}", needed, wordings)
 
@@ -203,7 +203,7 @@ def _touches(scene: Scene) -> bool:
 def _gap(frames: Frames, meeting: CollisionPair) -> float:
     """Return the initial gap between two bodies, or a body and a surface, m."""
     other = frames.center(meeting.b).place
-    separation = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
+    separation = other if meeting.a is None else subtract_triples(other, frames.center(meeting.a).place)
     return float(hypot(*separation) if meeting.normal is None else dot(meeting.normal, separation)) - meeting.distance
 
 
@@ -229,7 +229,7 @@ CLOSINGS: tuple[Closing, ...] = (
             "each collision is one of two bodies, also where several touch.",
         ),
     ),
-    *(_pulleys(several, massive, edges) for several in _EITHER for massive in _EITHER for edges in _EITHER),
+    *(_pulleys(several, massive, edges) for several in _BOOLEANS for massive in _BOOLEANS for edges in _BOOLEANS),
     Closing(
         "room on faces",
         _has_faces,
@@ -237,7 +237,9 @@ CLOSINGS: tuple[Closing, ...] = (
     ),
     Closing(
         "g",
-        lambda scene: weighs(scene.mechanism) or (not scene.world.gravity and would_weigh(scene.mechanism)),
+        lambda scene: (
+            is_gravity_relevant(scene.mechanism) or (not scene.world.gravity and would_gravity_matter(scene.mechanism))
+        ),
         (
             "take g = {world.gravity}.",
             "use g = {world.gravity}.",
@@ -247,12 +249,12 @@ CLOSINGS: tuple[Closing, ...] = (
             "the acceleration due to gravity is g = {world.gravity}.",
             "the acceleration of free fall is g = {world.gravity}.",
         ),
-        of_symbol="the acceleration of free fall is {world.gravity}.",
+        symbolic_wording="the acceleration of free fall is {world.gravity}.",
     ),
 )
 
 
-RESTS: dict[str, str] = {
+REST_SENTENCES: dict[str, str] = {
     (wording[0].upper() + wording[1:]).replace("{taut}", taut): taut
     for wording in (*RELEASES, *LONE_RELEASES)
     for taut in TAUT

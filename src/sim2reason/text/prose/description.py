@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from sim2reason.base.records import abridged
+from sim2reason.base.records import abridge
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.body import BODIES, Body
 from sim2reason.scenes.dsl.measures import join_unit
@@ -16,8 +16,8 @@ from sim2reason.scenes.dsl.model import field_types
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Role, Topic
 from sim2reason.scenes.dsl.unit_text import factors
-from sim2reason.scenes.dsl.units import SYSTEMS, coherent, parse_unit
-from sim2reason.scenes.files import SceneLike, scene_of
+from sim2reason.scenes.dsl.units import SYSTEMS, parse_unit, to_coherent_unit
+from sim2reason.scenes.files import SceneLike, as_scene
 from sim2reason.text.prose.phrases import Names, letters, paragraphs
 from sim2reason.text.prose.voices import Voice, VoiceName, numeric, voice_of
 from sim2reason.text.prose.writer import Writer
@@ -69,7 +69,7 @@ class Description:
 
     def __repr__(self) -> str:
         """Return the name of the scene and the beginning of the text."""
-        return f"<Description of {self.scene.name!r}: {abridged(self.text)!r}>"
+        return f"<Description of {self.scene.name!r}: {abridge(self.text)!r}>"
 
     def __str__(self) -> str:
         """Return the text of the description."""
@@ -89,8 +89,8 @@ class Description:
 
     def _written(self, voice: Voice, without: Collection[Topic]) -> "Description":
         """Render the text again in another voice; names and wordings depend only on the scene and the seed."""
-        dry = self.dry if self.dry is not None else draft(self.scene, self.seed)[1]
-        return written(dry, self.seed, voice, without)
+        dry = self.dry if self.dry is not None else write_draft(self.scene, self.seed)[1]
+        return write_description(dry, self.seed, voice, without)
 
     def mention(self, address: str) -> str:
         """Return the name of a body in the text; SceneError if the text does not mention it."""
@@ -133,11 +133,13 @@ def describe(
         >>> print(sim2reason.describe(scene, hide=["e1.plane.angle"]))
         A block ... inclined at $\theta$ to the horizontal. ...
     """
-    scene = scene_of(scene, "describe")
-    return written(draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)
+    scene = as_scene(scene, "describe")
+    return write_description(write_draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)
 
 
-def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
+def write_description(
+    dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()
+) -> Description:
     """Render the text of a scene; the first pass `dry` has found which bodies need letters, and number order."""
     scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
@@ -147,7 +149,7 @@ def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collect
     return Description(scene, sentences, names, final.symbols, final.roles, order, seed, voice, left_out, topics, dry)
 
 
-def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
+def write_draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
     """Render a text once to find the bodies and numbers in it; return its sentences and its writer."""
     nouns = _nouns(scene, np.random.default_rng([seed, 1]))
     writer = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
@@ -163,13 +165,13 @@ def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
     return {cls: cls.nouns[0] if cls in misnamed else noun for cls, noun in drawn.items()}
 
 
-DIGITS = 12  # significant digits of a converted number
+SIGNIFICANT_DIGITS = 12  # significant digits of a converted number
 MINUS = "\N{MINUS SIGN}"
 DEGREES, RADIANS = "deg", "rad"
 
 
 @cache
-def factor(unit: str) -> float:
+def formula_unit_factor(unit: str) -> float:
     """Return the factor from a stated unit to the unit in formulas: 1 except for degrees and kilometres.
 
     Units of other coherent systems, such as those of astronomy, are unchanged.
@@ -181,17 +183,17 @@ def factor(unit: str) -> float:
 @cache
 def formula_unit(unit: str) -> str:
     """Return the unit that formulas use for a stated unit: ``rad`` for ``deg``, ``m/s`` for ``km/s``."""
-    if factor(unit) == 1.0:
+    if formula_unit_factor(unit) == 1.0:
         return unit
     words = ((RADIANS if word == DEGREES else word, power) for word, power in factors(unit))
-    return coherent(" ".join(f"{word}^{power}" for word, power in words))[0]
+    return to_coherent_unit(" ".join(f"{word}^{power}" for word, power in words))[0]
 
 
 def stated_value(number: float, unit: str) -> str:
     """Return the text of a number from a formula in its stated unit: 30° for 0.5236 rad, 2.5 kg."""
     if unit == RADIANS:
-        number, unit = number / factor(DEGREES), DEGREES
-    plain = format(Decimal(f"{number:.{DIGITS}g}"), "f")  # no text has exponents
+        number, unit = number / formula_unit_factor(DEGREES), DEGREES
+    plain = format(Decimal(f"{number:.{SIGNIFICANT_DIGITS}g}"), "f")  # no text has exponents
     return join_unit(plain.replace("-", MINUS), unit)
 
 

@@ -32,7 +32,7 @@ def join(items: list[str], last: str = " and ") -> str:
     return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
 
 
-def another(text: str) -> str:
+def introduce_another(text: str) -> str:
     """Return the phrase that introduces a second body of a class: *another block*."""
     for article in ("a ", "an "):
         if text.startswith(article):
@@ -42,10 +42,10 @@ def another(text: str) -> str:
 
 def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
     """Return the templates that introduce a body without a letter; `again` if its noun occurred before."""
-    return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
+    return (kind.again or tuple(map(introduce_another, kind.lone))) if again else kind.lone
 
 
-def canonical(part: Model, path: str) -> str:
+def canonical_path(part: Model, path: str) -> str:
     """Return the path of a list member with an index in place of `first` or `last`, as in `blocks.0.mass`."""
     steps = path.replace(".first.", ".0.").split(".")
     if steps[-1] in ("first", "last"):
@@ -98,7 +98,7 @@ def body_name(noun: str, letter: str, *, full: bool) -> str:
     return f"{noun} {letter}" if full or letter[0].isdigit() else letter
 
 
-def listed(noun: str, letters: list[str], *, full: bool) -> str:
+def join_body_names(noun: str, letters: list[str], *, full: bool) -> str:
     """Return the names of several bodies with one noun: *blocks A and B*, or *A and B* if not `full`."""
     plural = f"{noun}s " if full or letters[0][:1].isdigit() else ""
     return plural + join(letters)
@@ -199,7 +199,7 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
     shared = [name for name in columns if _agrees(writer, name, where, members)]
     shown = [name for name in columns if name not in shared]
     owner = where[0].rpartition(".")[0].rpartition(".")[0]
-    lead = writer.finish(writer.render(introduced(writer.choose(leads or LEAD_INS), noun, kind, shown), owner))
+    lead = writer.finish(writer.render(write_table_lead_in(writer.choose(leads or LEAD_INS), noun, kind, shown), owner))
     sentences = [f"{shared_start(kind, name)}{writer.at(f'{where[0]}.{name}')}." for name in shared]
     rows: list[tuple[str, ...]] = [(noun, *(columns[name] for name in shown))]
     rows.append(tuple("---" for _ in rows[0]))
@@ -216,7 +216,7 @@ def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body,
     return len({getattr(member, name) for member in members}) == 1 and len(texts) in (1, len(where))
 
 
-def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
+def write_table_lead_in(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
     """Return a table's lead-in with the noun of the bodies and the names of the columns filled in."""
     columns = join(list(dict.fromkeys(_name(kind, name) for name in shown)))
     return lead.replace("{noun}", noun).replace("{columns}", columns)

@@ -10,7 +10,7 @@ from sim2reason.errors import SceneError, UnknownNameError
 from sim2reason.scenes.dsl.model import Parameter, parameters
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Word, slots
-from sim2reason.text.prose.phrases import Names, introductions, join, listed, symbols
+from sim2reason.text.prose.phrases import Names, introductions, join, join_body_names, symbols
 
 Voice = Callable[[Parameter, str], str]
 """How a number is spoken: from the parameter and its symbol."""
@@ -35,7 +35,7 @@ def symbolic_but_zero(parameter: Parameter, symbol: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Hiding:
+class SymbolicAt:
     """A voice that writes numbers, except symbols for the parameters at the given addresses."""
 
     paths: tuple[str, ...]
@@ -48,9 +48,9 @@ class Hiding:
 VOICES: Mapping[str, Voice] = {"numeric": numeric, "symbolic": symbolic}
 
 
-def hiding(*paths: str) -> Voice:
+def symbolic_at(*paths: str) -> Voice:
     """Return a voice that writes numbers, except symbols for the parameters at the given addresses."""
-    return Hiding(paths)
+    return SymbolicAt(paths)
 
 
 def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collection[str] = ()) -> Voice:
@@ -61,10 +61,10 @@ def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collect
             if address not in known:
                 raise SceneError(f"--hide {address}", "no such number is told", f"there are: {', '.join(known)}")
     if callable(voice):
-        return hiding(*hide) if hide else voice
+        return symbolic_at(*hide) if hide else voice
     if voice not in VOICES:
         raise UnknownNameError(f"no such voice: {voice!r}; there are: {', '.join(VOICES)}")
-    return hiding(*hide) if hide and voice == "numeric" else VOICES[voice]
+    return symbolic_at(*hide) if hide and voice == "numeric" else VOICES[voice]
 
 
 class Terms(ABC):
@@ -94,7 +94,7 @@ class Terms(ABC):
         first = [self.parameters[path] for path in self._order]
         every = {p.path: p for p in (*first, *self.parameters.values())}.values()
         stated = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
-        if isinstance(self._voice, Hiding):
+        if isinstance(self._voice, SymbolicAt):
             stated = [p for p in stated if p.path in self._voice.paths]
         if self._voice is not symbolic:  # else zeros are told by their symbols
             stated = _zeros_last(stated)
@@ -112,7 +112,7 @@ class Terms(ABC):
         if owner in self.scene.bodies and name in self.scene.bodies[owner].words:
             body = self.scene.bodies[owner]
             word = body.words[name]
-            return self.word(word, getattr(body, word.parameter), lambda inner: self._of_body(inner, owner))
+            return self.word(word, getattr(body, word.parameter), lambda inner: self._write_body_slot(inner, owner))
         if address in self.scene.bodies:
             return self.introduce(address, start=start)
         members = [body_address for body_address in self.scene.bodies if body_address.rpartition(".")[0] == address]
@@ -137,9 +137,11 @@ class Terms(ABC):
         again = any(self.names.noun(self.scene.bodies[known]) == self.names.noun(body) for known in self.introduced)
         self.introduced[address] = None
         letter = self.names.letters.get(address, "")
-        return self._of_body(self.choose(body.named if letter else introductions(type(body), again=again)), address)
+        return self._write_body_slot(
+            self.choose(body.named if letter else introductions(type(body), again=again)), address
+        )
 
-    def _of_body(self, template: str, address: str) -> str:
+    def _write_body_slot(self, template: str, address: str) -> str:
         body = self.scene.bodies[address]
         text = ""
         for slot in slots(template):
@@ -160,12 +162,12 @@ class Terms(ABC):
         noun = self.names.noun(first := self.scene.bodies[members[0]])
         letters = [self.names.letters.get(address, "") for address in members]
         if members[0] in self.introduced:
-            return listed(noun, letters, full=start)
+            return join_body_names(noun, letters, full=start)
         self.introduced.update(dict.fromkeys(members))
-        alike = {self._of_body(first.alike, address) for address in members}
+        alike = {self._write_body_slot(first.alike, address) for address in members}
         if first.alike and len(alike) == 1:
-            return f"{listed(noun, letters, full=True)} {alike.pop()}"
-        return f"{noun}s " + join([self._of_body(first.listed, address) for address in members])
+            return f"{join_body_names(noun, letters, full=True)} {alike.pop()}"
+        return f"{noun}s " + join([self._write_body_slot(first.listed, address) for address in members])
 
 
 def _zeros_last(said: list[Parameter]) -> list[Parameter]:

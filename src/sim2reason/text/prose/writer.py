@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.addresses import lookup
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection
-from sim2reason.scenes.dsl.entity import Part, parts_at
+from sim2reason.scenes.dsl.entity import Part, field_parts
 from sim2reason.scenes.dsl.model import field_types
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import (
@@ -21,16 +21,16 @@ from sim2reason.scenes.dsl.template import (
     Slot,
     Topic,
     Wordings,
-    role_of,
+    line_role,
+    line_topic,
     slots,
-    topic_of,
     wordings,
 )
 from sim2reason.text.prose.closings import Closing, closings
 from sim2reason.text.prose.phrases import (
     BODIES,
     Names,
-    canonical,
+    canonical_path,
     referenced_object,
     same_class,
     sentence_templates,
@@ -123,17 +123,17 @@ class Writer(Terms):
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
-            inner = parts_at(part, saying.field).items()
+            inner = field_parts(part, saying.field).items()
             return [line for path, inner_part in inner for line in self._part_lines(inner_part, f"{address}.{path}")]
         template = self.choose(sentence_templates(saying, part))
         if not isinstance(saying, Each):
-            topic = topic_of(saying)
+            topic = line_topic(saying)
             if not self.says_line(saying, template, part):
                 return []
             if topic is not None and topic in self._without:
                 self._left_out.add(topic)
                 return []
-            return [self._as(role_of(saying), self.finish(self.render(template, address)), topic)]
+            return [self._as(line_role(saying), self.finish(self.render(template, address)), topic)]
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
         if len(members) >= TABLE_FROM and isinstance(members[0], Body) and same_class(members):
@@ -173,7 +173,7 @@ class Writer(Terms):
                 self.pass_over(closing.wordings)
                 continue
             sentence = self.render(self.choose(closing.wordings), "")
-            text = self.render(closing.of_symbol, "") if "g = $g$" in sentence else sentence
+            text = self.render(closing.symbolic_wording, "") if "g = $g$" in sentence else sentence
             lines.append(self._as(closing.role, self.finish(text), closing.topic))
         return lines
 
@@ -239,5 +239,5 @@ class Writer(Terms):
             return self.word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start))
         if isinstance(choice := referenced_object(part, slot.path), str):
             return choice
-        where = canonical(part, slot.path)
+        where = canonical_path(part, slot.path)
         return self.at(f"{address}.{where}" if address else where, start=start)

@@ -16,7 +16,7 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 
-__all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "corpus_from"]
+__all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "build_corpus"]
 
 MOST_WEIGHT = 1000.0
 
@@ -62,7 +62,7 @@ class Corpus(BaseModel, ABC):
 CORPORA: Registry[type[Corpus]] = Registry("training.corpora")
 
 
-def corpus_from(settings: Mapping[str, object], location: str = "corpus") -> Corpus:
+def build_corpus(settings: Mapping[str, object], location: str = "corpus") -> Corpus:
     """Return the corpus described by settings; `kind` is its registered name.
 
     Raises:

@@ -16,17 +16,17 @@ from pydantic import Field, field_validator
 
 from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item_search import ItemSearch, generator
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.request import Request
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Sum
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.solution import Solution
 from sim2reason.training.corpora import CORPORA, Corpus, Row
-from sim2reason.training.corpora.operations import Definitions, arithmetic, definitions, given, plain_number
+from sim2reason.training.corpora.operations import Definitions, arithmetic, definitions, format_number, given_values
 from sim2reason.training.corpora.rows import drawn_rows
 from sim2reason.training.sources.problems import Fresh, fingerprint
 
-__all__ = ["SLIPS", "Arithmetic", "Drills", "renumbered", "slipped"]
+__all__ = ["SLIPS", "Arithmetic", "Drills", "add_slips", "renumbered"]
 
 Changes = Callable[[Expression], Iterator[Expression]]
 """All ways in which a formula, apart from its parts, is changed by one slip."""
@@ -76,7 +76,7 @@ SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function,
 """The kinds of slips by name."""
 
 
-def slipped(formulas: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
+def add_slips(formulas: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
     """Return the formulas of a solution with random errors, each kind of error with its own probability."""
     for kind, share in sorted(shares.items()):
         wrong = rng.random() < share
@@ -122,7 +122,7 @@ def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tup
 def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
     """Return the prompt with other numbers, and the new given values."""
     places = [(matches.span(), matches.group()) for matches in _NUMBER.finditer(prompt)]
-    numbers, changes = dict(given(solution)), list[Place]()
+    numbers, changes = dict(given_values(solution)), list[Place]()
     for name, value in numbers.items():
         magnitude, matches = abs(value), _positions(places, abs(value))
         if angle := not matches:
@@ -206,7 +206,7 @@ class Arithmetic(Corpus):
         certified = ItemSearch(request).find()
         if certified is None:
             return None
-        item = item_of(request, certified)
+        item = build_item(request, certified)
         solution = worked_solution(request, certified)
         rows = list[Row]()
         for number in range(self.rows_each):
@@ -219,7 +219,7 @@ class Arithmetic(Corpus):
         return rows
 
     def _slips(self, rng: np.random.Generator) -> Callable[[Definitions], Definitions]:
-        return lambda held: slipped(held, self.slips, rng)
+        return lambda held: add_slips(held, self.slips, rng)
 
 
 def _answer(text: str) -> str:
@@ -251,7 +251,7 @@ class Drills(Corpus):
 def _operation(rng: np.random.Generator) -> str:
     """Return one random operation on numbers of the magnitudes usual in mechanics in SI units."""
     sign = str(rng.choice(list(SHARES), p=list(SHARES.values())))
-    first = float(plain_number(10.0 ** rng.uniform(-0.8, 1.0)))
+    first = float(format_number(10.0 ** rng.uniform(-0.8, 1.0)))
     second = float(f"{10.0 ** rng.uniform(-1.2, 1.0):.{2 if sign == '*' else 3}g}")
     result = {"*": first * second, "+": first + second, "-": first - second, "/": first / second}[sign]
-    return f"{plain_number(first)}{sign}{second:g}={plain_number(result)}"
+    return f"{format_number(first)}{sign}{second:g}={format_number(result)}"

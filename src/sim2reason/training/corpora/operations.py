@@ -26,7 +26,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.solution import CHECKS, Solution
 
-__all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "given", "plain_number"]
+__all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "format_number", "given_values"]
 
 ARITHMETIC_DIGITS: Final = 3
 ANGULAR: Final = frozenset({"sin", "cos", "tan"})
@@ -45,7 +45,7 @@ class UnwrittenError(Exception):
 
 def definitions(solution: Solution) -> Definitions:
     """Return the formulas that lead from the given numbers to the answer, in order; empty if there are none."""
-    known = given(solution)
+    known = given_values(solution)
     formulas: dict[str, Expression] = {}
     for relation in solution.relations:
         name = relation.left.latex()
@@ -74,7 +74,7 @@ def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = 
     formulas = slip(definitions(solution))
     if solution.goal not in formulas:
         return ""
-    stated = given(solution)
+    stated = given_values(solution)
     written = _Written({name: _Operand(f"{value:.6g}", value) for name, value in stated.items()})
     try:
         for name, formula in formulas.items():
@@ -83,10 +83,10 @@ def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = 
         return ""
     assert solution.answer is not None
     answer = written.values[solution.goal].value * (solution.answer / solution.values[solution.goal])
-    return f"{'; '.join(written.steps)}\n\\boxed{{{plain_number(answer)}}}"
+    return f"{'; '.join(written.steps)}\n\\boxed{{{format_number(answer)}}}"
 
 
-def given(solution: Solution) -> dict[str, float]:
+def given_values(solution: Solution) -> dict[str, float]:
     """Return the numbers that a problem states, by symbol."""
     return {
         relation.left.latex(): solution.values[relation.left.latex()]
@@ -95,7 +95,7 @@ def given(solution: Solution) -> dict[str, float]:
     }
 
 
-def plain_number(value: float) -> str:
+def format_number(value: float) -> str:
     """Return a number with three digits, without LaTeX; from ten thousand on with a power of ten."""
     if abs(value) >= LARGEST_PLAIN:
         return f"{value:.{ARITHMETIC_DIGITS - 1}e}".replace("e+0", "e").replace("e+", "e")
@@ -117,7 +117,7 @@ def _constant(value: float) -> _Operand:
 
 
 def _rounded(value: float) -> _Operand:
-    text = plain_number(value)
+    text = format_number(value)
     return _Operand(text, float(text))
 
 

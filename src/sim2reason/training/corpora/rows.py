@@ -17,7 +17,7 @@ from typing import Final, cast
 import numpy as np
 import pyarrow as pa
 
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import SPAWN_CONTEXT
 from sim2reason.errors import TrainingError
 from sim2reason.generation.item_search import generator
 from sim2reason.generation.request import Request
@@ -27,25 +27,25 @@ from sim2reason.training.problem_stream import begin_worker
 from sim2reason.training.sources.problems import Fresh
 
 __all__ = [
-    "MOST_ROWS",
+    "MAX_ROWS",
     "Counted",
     "EncodedRow",
     "Limits",
     "Mix",
     "RowsOf",
-    "counted",
+    "apply_template",
     "drawn_rows",
-    "encoded",
+    "encode_rows",
     "encoded_table",
-    "mixed",
-    "rows_in",
-    "templated",
+    "format_reasons",
+    "mix_corpora",
+    "read_rows",
 ]
 
 LONGEST: Final = 2**24  # bytes of a line
 
 
-def rows_in(path: Path, prompt: str = "prompt", completion: str = "completion") -> Iterator[Row]:
+def read_rows(path: Path, prompt: str = "prompt", completion: str = "completion") -> Iterator[Row]:
     """Yield the row in each line of a file, by the names of its two fields; empty lines are skipped.
 
     Raises:
@@ -97,7 +97,7 @@ def drawn_rows(
     There are fewer rows if problems are too rare. Problems without rows are counted under `reason`.
     """
     completed, size = 0, min(PROBLEMS_PER_TASK, items)
-    with ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker) as pool:
+    with ProcessPoolExecutor(workers, mp_context=SPAWN_CONTEXT, initializer=begin_worker) as pool:
         ahead = [pool.submit(_stretch, problems, rows_of, number, size) for number in range(2 * workers)]
         for number in count(len(ahead)):
             for rows in ahead.pop(0).result():
@@ -177,7 +177,7 @@ def encoded_table(
     left_out = Counter[str]()
     schema = pa.schema({"input_ids": TOKENS, "labels": TOKENS, "length": pa.int32()})
     slices = (
-        encoded(rows[start : start + ROWS_PER_BATCH], tokenizer, chat=chat)
+        encode_rows(rows[start : start + ROWS_PER_BATCH], tokenizer, chat=chat)
         for start in range(0, len(rows), ROWS_PER_BATCH)
     )
     return pa.Table.from_batches(_batches(slices, limits, left_out), schema), left_out
@@ -199,16 +199,16 @@ def _lists(lists: Sequence[Sequence[int]]) -> pa.ListArray:
     return pa.ListArray.from_arrays(ends, values)
 
 
-def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
+def encode_rows(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
     """Return the tokenized rows; with `chat` as messages in the tokenizer's template, else as plain texts."""
-    pairs = [templated(row, tokenizer) if chat else (row.prompt, row.completion) for row in rows]
+    pairs = [apply_template(row, tokenizer) if chat else (row.prompt, row.completion) for row in rows]
     first = _tokens([prompt for prompt, _ in pairs], tokenizer, special=not chat)
     second = _tokens([completion for _, completion in pairs], tokenizer, special=False)
     end = tokenizer.eos_token_id
     return [EncodedRow(a, b if b[-1:] == [end] else [*b, end]) for a, b in zip(first, second, strict=True)]
 
 
-def templated(row: Row, tokenizer: External) -> tuple[str, str]:
+def apply_template(row: Row, tokenizer: External) -> tuple[str, str]:
     """Return a row in the chat template: the text before the completion, and the completion with its end.
 
     If a template changes earlier turns, the completion is used without the template.
@@ -229,7 +229,7 @@ def _tokens(texts: list[str], tokenizer: External, *, special: bool) -> list[lis
     return tokenizer(texts, add_special_tokens=special, verbose=False)["input_ids"]
 
 
-MOST_ROWS = 10_000_000
+MAX_ROWS = 10_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,7 +255,7 @@ class Mix:
     corpora: list[Counted]
 
 
-def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozenset()) -> Mix:
+def mix_corpora(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozenset()) -> Mix:
     """Return all rows of all corpora, weighted and shuffled, as a pure function of corpora and seed.
 
     Held-out rows, whose prompt or fingerprint is in `avoid`, are omitted.
@@ -266,25 +266,25 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
     rows, counts = list[Row](), list[Counted]()
     for number, corpus in enumerate(corpora):
         left_out = Counter[str]()
-        candidates = list(islice(corpus.rows(left_out), min(corpus.limit or MOST_ROWS, MOST_ROWS)))
+        candidates = list(islice(corpus.rows(left_out), min(corpus.limit or MAX_ROWS, MAX_ROWS)))
         kept = [row for row in candidates if not {row.prompt, row.fingerprint} & avoid]
         if len(kept) < len(candidates):
             left_out["held out"] += len(candidates) - len(kept)
         kind = CORPORA.name_of(corpus)
         if not kept:
-            why = f"left out: {counted(left_out)}" if left_out else "it is empty"
+            why = f"left out: {format_reasons(left_out)}" if left_out else "it is empty"
             raise TrainingError(f"corpora[{number}]: no row to learn from in this {kind}; {why}")
         chosen = _weighted(kept, corpus.weight, generator("corpus", seed, number))
         rows += chosen
-        if len(rows) > MOST_ROWS:
-            raise TrainingError(f"corpora[{number}].weight: more than {MOST_ROWS} rows in all; give a smaller one")
+        if len(rows) > MAX_ROWS:
+            raise TrainingError(f"corpora[{number}].weight: more than {MAX_ROWS} rows in all; give a smaller one")
         wrong = sum(row.right is False for row in kept)
         counts.append(Counted(kind, len(kept), len(chosen), wrong, dict(sorted(left_out.items()))))
     order = generator("mix", seed).permutation(len(rows))
     return Mix([rows[index] for index in order], counts)
 
 
-def counted(reasons: Mapping[str, int]) -> str:
+def format_reasons(reasons: Mapping[str, int]) -> str:
     """Return counts of rows by reason as a text."""
     return ", ".join(f"{count} ({reason})" for reason, count in sorted(reasons.items()))
 

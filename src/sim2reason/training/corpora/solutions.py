@@ -19,33 +19,33 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le
 from pydantic import ValidationError, model_validator
 
-from sim2reason.base.atomic_files import canonical, checksum, put, put_text
+from sim2reason.base.atomic_files import canonical, checksum, put_text, write_atomically
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.plan import ALL, Names
+from sim2reason.datasets.plan import ALL_NAMES, Names
 from sim2reason.errors import EvaluationError, TrainingError
 from sim2reason.evaluation.benchmarks.own import benchmark_item
-from sim2reason.evaluation.benchmarks.runs.run import Ending, ending_of
+from sim2reason.evaluation.benchmarks.runs.run import Ending, find_ending
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.evaluation.policies import Completion
-from sim2reason.evaluation.policies.journal import FinishedSample, finished
-from sim2reason.evaluation.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
+from sim2reason.evaluation.policies.journal import FinishedSample, read_finished
+from sim2reason.evaluation.policy_pass import MAX_TRIES, SAMPLES, PolicyPass, PolicySource, open_answers
 from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item import Item, Record
 from sim2reason.generation.item_search import ItemSearch
-from sim2reason.generation.make import item_of
+from sim2reason.generation.make import build_item
 from sim2reason.generation.request import Request
 from sim2reason.training.corpora import CORPORA, Corpus, Row
-from sim2reason.training.corpora.rows import drawn_rows, rows_in
+from sim2reason.training.corpora.rows import drawn_rows, read_rows
 from sim2reason.training.sources.problems import Fresh, fingerprint
 
-__all__ = ["RESULT", "SOLUTIONS", "JsonLines", "Sampled", "SampledSolutions", "Worked", "sample_solutions"]
+__all__ = ["RESULT", "SOLUTIONS", "JsonLines", "SampledSolutions", "SamplingResult", "Worked", "sample_solutions"]
 
 SOLUTIONS, RESULT = "solutions.jsonl", "sampled.json"
 TRIES, KEEP = 8, 4
 DUPLICATE, BEYOND = "duplicate", "beyond keep"
 
 
-class Sampled(Record):
+class SamplingResult(Record):
     """The result of `sample_solutions`, as written to ``sampled.json``.
 
     Attributes:
@@ -87,10 +87,10 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
     *,
     k: int = TRIES,
     keep: int = KEEP,
-    split: Names = ALL,
+    split: Names = ALL_NAMES,
     seed: int = 0,
     advance: Callable[[int], object] = lambda _: None,
-) -> Sampled:
+) -> SamplingResult:
     r"""Ask a policy to solve the problems of a dataset, and keep its right responses to learn from.
 
     A response is kept if it earns the full reward, is not truncated, and repeats no other. Responses of an earlier call
@@ -122,22 +122,24 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
         >>> result.items, result.kept, result.left_out
         (2, 0, {'wrong': 2})
     """
-    if not 1 <= k <= MOST_TRIES or not 1 <= keep <= MOST_TRIES:
-        raise EvaluationError(f"{k} tries of which {keep} are kept: give numbers from 1 to {MOST_TRIES}")
+    if not 1 <= k <= MAX_TRIES or not 1 <= keep <= MAX_TRIES:
+        raise EvaluationError(f"{k} tries of which {keep} are kept: give numbers from 1 to {MAX_TRIES}")
     source, out = Dataset(dataset), Path(out)
     chosen = source.splits(split)
     items = [item for name in chosen for item in source.items(name)]
-    with asked(source, items, out, policy, k=k, seed=seed, advance=advance) as plan:
+    with open_answers(source, items, out, policy, k=k, seed=seed, advance=advance) as plan:
         return _finished(items, out, plan, chosen, k, keep)
 
 
-def _finished(items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str, ...], k: int, keep: int) -> Sampled:
+def _finished(
+    items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str, ...], k: int, keep: int
+) -> SamplingResult:
     """Grade all responses and write the solutions."""
     (out / RESULT).unlink(missing_ok=True)
     left_out = Counter[str]()
     rows = list(_kept(items, out / SAMPLES, k, keep, left_out))
     _put_rows(out, rows)
-    record = Sampled(
+    record = SamplingResult(
         plan=plan,
         splits=splits,
         tries=k,
@@ -159,7 +161,7 @@ def _put_rows(out: Path, rows: list[dict[str, str | int]]) -> None:
         with temporary.open("w", encoding="utf-8", newline="\n") as file:
             file.writelines(f"{json.dumps(row, ensure_ascii=False)}\n" for row in rows)
 
-    put(out / SOLUTIONS, write, out)
+    write_atomically(out / SOLUTIONS, write, out)
 
 
 def _kept(
@@ -167,7 +169,7 @@ def _kept(
 ) -> Iterator[dict[str, str | int]]:
     """Yield the solutions in the order of the items and of their tries, whatever the order of responses."""
     by_id = {item.id: list[FinishedSample]() for item in items}
-    for sample in finished(journal):
+    for sample in read_finished(journal):
         if sample.sample < k and sample.id in by_id:
             by_id[sample.id].append(sample)
     for item in items:
@@ -177,7 +179,7 @@ def _kept(
             if why:
                 left_out[why] += 1
                 continue
-            seen.add(_told(sample.completion))
+            seen.add(_normalize_spaces(sample.completion))
             yield {
                 "id": item.id,
                 "prompt": item.prompt,
@@ -189,17 +191,17 @@ def _kept(
 def _why_not(item: Item, completion: Completion, seen: set[str], keep: int) -> str:
     """Return the reason why a response is not kept as a solution; empty if it is kept."""
     asked_for = benchmark_item(item)
-    ending = ending_of(completion, SCORINGS[asked_for.scoring].award(completion.whole, asked_for.reference))
+    ending = find_ending(completion, SCORINGS[asked_for.scoring].award(completion.whole, asked_for.reference))
     if ending is not Ending.CORRECT:
         return str(ending)
     if completion.finish not in ("stop", "unknown"):  # a right answer, and then no end, or a filter
         return str(Ending.TRUNCATED if completion.finish == "length" else Ending.REFUSED)
-    if _told(completion) in seen:
+    if _normalize_spaces(completion) in seen:
         return DUPLICATE
     return BEYOND if len(seen) >= keep else ""
 
 
-def _told(completion: Completion) -> str:
+def _normalize_spaces(completion: Completion) -> str:
     """Return a response with all white space reduced to single spaces."""
     return " ".join(completion.whole.split())
 
@@ -217,7 +219,7 @@ class JsonLines(Corpus):
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
         """Yield the prompts with completions in the file."""
         del left_out
-        return rows_in(self.file, self.prompt, self.completion)
+        return read_rows(self.file, self.prompt, self.completion)
 
     def check(self) -> None:
         """Read all requested rows of the file, so that errors occur before a run."""
@@ -235,7 +237,7 @@ class SampledSolutions(Corpus):
         """Yield the prompts with correct responses in the folder of solutions, after checking its hash."""
         del left_out
         try:
-            record = Sampled.model_validate_json((self.folder / RESULT).read_bytes())
+            record = SamplingResult.model_validate_json((self.folder / RESULT).read_bytes())
         except FileNotFoundError:
             raise TrainingError(
                 f"{self.folder}: no {RESULT} here; give a folder that sim2reason sample-solutions has finished"
@@ -244,7 +246,7 @@ class SampledSolutions(Corpus):
             raise TrainingError(f"{self.folder / RESULT}: damaged; give the same sample-solutions again") from None
         if checksum(self.folder / SOLUTIONS) != record.solutions:
             raise TrainingError(f"{self.folder / SOLUTIONS}: changed or missing; give the same sample-solutions again")
-        return rows_in(self.folder / SOLUTIONS)
+        return read_rows(self.folder / SOLUTIONS)
 
     def check(self) -> None:
         """Check that the folder of solutions exists and is unchanged since it was written."""
@@ -300,7 +302,7 @@ class Worked(Corpus):
         certified = ItemSearch(request).find()
         if certified is None:
             return None
-        item = item_of(request, certified)
+        item = build_item(request, certified)
         solution = worked_solution(request, certified)
         return [] if solution.answer is None else [_row(item, solution.text)]
 

@@ -12,13 +12,24 @@ from sim2reason.training.gspo.rollouts import Group
 from sim2reason.training.gspo.settings import Drawn, Row
 from sim2reason.training.run_files import StepRecord, StepSeconds
 
-__all__ = ["Answered", "Filled", "Meter", "Place", "Sampler", "balance", "collapse", "fill", "has_spread", "round_size"]
+__all__ = [
+    "FilledStep",
+    "Meter",
+    "ProcessRank",
+    "RoundRewards",
+    "Sampler",
+    "balance",
+    "collapse",
+    "fill",
+    "has_spread",
+    "round_size",
+]
 
 REWARD_TOLERANCE = 1e-6  # rewards that differ by less are equal: float32 means of equal rewards differ by about 1e-8
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ProcessRank:
     """The rank of this process and the number of processes."""
 
     rank: int = 0
@@ -26,7 +37,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Answered:
+class RoundRewards:
     """The rewards of all prompts of a round, and a function that returns the group of completions of one prompt."""
 
     rewards: Sequence[Sequence[float]]
@@ -42,7 +53,7 @@ class Sampler(Protocol):
         """Return the next `count` prompts, the same in all processes."""
         ...
 
-    def answer(self, rows: Sequence[Row]) -> Answered:
+    def answer(self, rows: Sequence[Row]) -> RoundRewards:
         """Return completions of this process's prompts, and the rewards of all processes."""
         ...
 
@@ -52,7 +63,7 @@ class Sampler(Protocol):
 
 
 @dataclass
-class Filled:
+class FilledStep:
     """The groups of completions selected for a step, and the statistics of the rounds that gave them."""
 
     owners: list[int] = field(default_factory=list[int])
@@ -74,7 +85,7 @@ class Filled:
         return sum(self.sizes)
 
 
-def fill(sampler: Sampler, process: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
+def fill(sampler: Sampler, process: ProcessRank, wanted: int, rounds: int, first: int = 0) -> FilledStep:
     """Answer prompts in rounds until enough groups have unequal rewards, or the rounds or prompts are used up.
 
     The first round answers `first` prompts, at least as many as groups are wanted.
@@ -84,7 +95,7 @@ def fill(sampler: Sampler, process: Place, wanted: int, rounds: int, first: int 
     up to twice as many updates late as other completions, with clipped ratios. Later rounds are therefore no larger
     than the fraction of useful groups so far suggests.
     """
-    filled = Filled()
+    filled = FilledStep()
     while len(filled.owners) < wanted and len(filled.sizes) < rounds and not filled.exhausted:
         drawn = sampler.draw(round_size(wanted, filled, process.world, first))
         filled.read += drawn.read
@@ -94,7 +105,7 @@ def fill(sampler: Sampler, process: Place, wanted: int, rounds: int, first: int 
     return filled
 
 
-def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
+def round_size(wanted: int, filled: FilledStep, world: int, first: int = 0) -> int:
     """Return the number of prompts in the next round, a multiple of the number of processes."""
     if not filled.sizes:
         return ceil(max(first, wanted) / world) * world
@@ -103,7 +114,7 @@ def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
     return ceil(min(likely, wanted) / world) * world
 
 
-def _add_round(filled: Filled, sampler: Sampler, process: Place, rows: list[Row], wanted: int) -> None:
+def _add_round(filled: FilledStep, sampler: Sampler, process: ProcessRank, rows: list[Row], wanted: int) -> None:
     """Answer prompts, and keep the groups of completions with unequal rewards while there is room.
 
     At the end of a stream some prompts are answered twice so that no process waits; only the first time counts.
@@ -168,7 +179,7 @@ class Meter:
     parts: dict[Part, float] = field(default_factory=dict[Part, float])
     """Seconds."""
     grad_norms: list[float] = field(default_factory=list[float])
-    filled: Filled = field(default_factory=Filled)
+    filled: FilledStep = field(default_factory=FilledStep)
     _made: float = 0.0
     _problems: float = 0.0
     _began: float = 0.0
@@ -187,7 +198,7 @@ class Meter:
         finally:
             self.parts[part] = self.parts.get(part, 0.0) + perf_counter() - start
 
-    def update(self, filled: Filled) -> None:
+    def update(self, filled: FilledStep) -> None:
         """Record the groups selected for a step, and the current time as the start of the weights' update."""
         self.filled, self._updating = filled, perf_counter()
 

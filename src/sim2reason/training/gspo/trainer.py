@@ -16,16 +16,16 @@ from typing import Any, TypeAlias
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
 from sim2reason.training.gspo.rollouts import Group, Rollouts, cut, filler, join, moved, score
-from sim2reason.training.gspo.sampling import Answered, Filled, Meter, Place, balance, collapse, fill
+from sim2reason.training.gspo.sampling import FilledStep, Meter, ProcessRank, RoundRewards, balance, collapse, fill
 from sim2reason.training.gspo.settings import Drawn, GSPOSettings, PromptStream, Row, draw
 from sim2reason.training.run_files import (
     Cursor,
     StepLog,
-    clear_behind,
-    folder_of,
+    checkpoint_folder,
     last_checkpoint,
     mark,
     read_cursor,
+    remove_later,
     unmark,
 )
 
@@ -83,9 +83,9 @@ class GSPOTrainer(trl.GRPOTrainer):
         self.add_callback(BetweenUpdates(self))
 
     @property
-    def place(self) -> Place:
+    def place(self) -> ProcessRank:
         """Return the rank of this process and the number of processes."""
-        return Place(self.accelerator.process_index, self.accelerator.num_processes)
+        return ProcessRank(self.accelerator.process_index, self.accelerator.num_processes)
 
     def _send_telemetry(self) -> None:
         """Send nothing."""
@@ -140,7 +140,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         """Return whether a prompt is short enough."""
         return len(self._tokenize_prompts([row["prompt"]])[0][0]) <= self.settings.max_prompt_tokens
 
-    def answer(self, rows: Sequence[Row]) -> Answered:
+    def answer(self, rows: Sequence[Row]) -> RoundRewards:
         """Generate and score completions of this process's prompts with TRL."""
         size = self.settings.generations
         self._later = self._defers
@@ -153,9 +153,9 @@ class GSPOTrainer(trl.GRPOTrainer):
             raise TrainingError("a reward function gave an infinite reward")
         # the sum that TRL's advantages are made of; NaN where no reward function has an opinion
         total = (parts * weights).nansum(dim=1).masked_fill(parts.isnan().all(dim=1), float("nan"))
-        return Answered(total.view(-1, size).tolist(), lambda number: cut(output, number, size))
+        return RoundRewards(total.view(-1, size).tolist(), lambda number: cut(output, number, size))
 
-    def _batch(self, filled: Filled) -> dict[str, Tensor]:
+    def _batch(self, filled: FilledStep) -> dict[str, Tensor]:
         """Return the batch of a step from the selected groups, equally many per process, filled with placeholders.
 
         Placeholders have no completion to train on. The loss is a mean over completions, so it is scaled to a mean over
@@ -176,7 +176,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         batch["loss_scale"] = torch.tensor(wanted / max(selected, 1), device=self.accelerator.device)
         return batch
 
-    def _exchanged(self, filled: Filled) -> list[Group]:
+    def _exchanged(self, filled: FilledStep) -> list[Group]:
         """Return the groups of completions that this process trains on, after an exchange with other processes."""
         places, rank = balance(filled.owners, self.place.world), self.place.rank
         groups = {number: group for number, group in filled.own.items() if places[number] == rank}
@@ -187,7 +187,7 @@ class GSPOTrainer(trl.GRPOTrainer):
                     groups[number] = moved(group, self.accelerator.device)
         return [groups[number] for number in sorted(groups)]
 
-    def _warn_short(self, filled: Filled) -> None:
+    def _warn_short(self, filled: FilledStep) -> None:
         """Warn of a step with fewer groups of unequal rewards than wanted."""
         if self.accelerator.is_main_process:
             why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
@@ -286,7 +286,7 @@ class GSPOTrainer(trl.GRPOTrainer):
             self._restore(cursor)
         self.accelerator.wait_for_everyone()  # all have read, before anything is removed
         if self.accelerator.is_main_process:
-            clear_behind(out, cursor)
+            remove_later(out, cursor)
             self.step_log.rewind(0 if cursor is None else cursor.step)
         self.accelerator.wait_for_everyone()
         return super().train(resume_from_checkpoint=None if folder is None else str(folder), **given)
@@ -303,7 +303,7 @@ class GSPOTrainer(trl.GRPOTrainer):
 
     def _save_checkpoint(self, model: object, trial: object) -> None:
         """Save transformers' files, then the cursor, which marks the checkpoint as complete."""
-        folder = folder_of(Path(self.args.output_dir), self.state.global_step)
+        folder = checkpoint_folder(Path(self.args.output_dir), self.state.global_step)
         if self.accelerator.is_main_process:
             unmark(folder)
         super()._save_checkpoint(model, trial)

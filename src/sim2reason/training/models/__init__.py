@@ -14,9 +14,9 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External
-from sim2reason.training.models.checkpoints import Checkpoint, Loaded
+from sim2reason.training.models.checkpoints import Checkpoint, LoadedModel
 
-__all__ = ["MODELS", "Checkpoint", "Loaded", "ModelSettings", "model_from", "model_given", "uses_chat_template"]
+__all__ = ["MODELS", "Checkpoint", "LoadedModel", "ModelSettings", "build_model", "model_given", "uses_chat_template"]
 
 
 class ModelSettings(BaseModel, ABC):
@@ -36,7 +36,7 @@ class ModelSettings(BaseModel, ABC):
             MissingExtraError: a library of the extra [train] is missing.
         """
 
-    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+    def load(self, texts: Iterable[str], out: Path) -> LoadedModel:
         """Return the model and its tokenizer, ready to be trained.
 
         Raises:
@@ -54,10 +54,10 @@ MODELS: Registry[type[ModelSettings]] = Registry("training.models")
 
 def model_given(given: object) -> object:
     """Return the model described by settings; other values unchanged, for later validation."""
-    return model_from(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
+    return build_model(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
 
 
-def model_from(settings: Mapping[str, object], location: str = "model") -> ModelSettings:
+def build_model(settings: Mapping[str, object], location: str = "model") -> ModelSettings:
     """Return the model described by settings; `kind` is its registered name.
 
     Raises:

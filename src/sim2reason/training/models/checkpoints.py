@@ -6,10 +6,10 @@ from typing import Any, Literal
 
 from sim2reason.base.records import cached_property
 from sim2reason.errors import TrainingError
-from sim2reason.evaluation.policies.network import explained, loading
+from sim2reason.evaluation.policies.network import explain_errors, loading_arguments
 from sim2reason.training.extras import External, library
 
-__all__ = ["Attention", "Checkpoint", "Loaded", "Precision", "context_of"]
+__all__ = ["Attention", "Checkpoint", "LoadedModel", "Precision", "context_length"]
 
 Precision = Literal["auto", "float32", "bfloat16", "float16"]
 Attention = Literal["auto", "eager", "sdpa", "flash_attention_2", "flash_attention_3"]
@@ -17,7 +17,7 @@ ENDLESS = 2**31
 
 
 @dataclass(frozen=True, slots=True)
-class Loaded:
+class LoadedModel:
     """A causal language model with its tokenizer, which has padding and end tokens."""
 
     model: External
@@ -37,13 +37,13 @@ class Checkpoint:
     """Of the weights; by default as they were saved."""
     attention: Attention = "auto"
 
-    def load(self) -> Loaded:
+    def load(self) -> LoadedModel:
         """Return the model and tokenizer; TrainingError if they do not exist, or there is no end token."""
         tokenizer = self.tokenizer()
         with self._explained():
             kind = library("transformers").AutoModelForCausalLM
             model = kind.from_pretrained(self.path, **{"dtype": "auto", **self.settings})
-        return Loaded(model, tokenizer, self.path)
+        return LoadedModel(model, tokenizer, self.path)
 
     def tokenizer(self, **settings: object) -> External:
         """Return the tokenizer; without a padding token, the end token is used for padding."""
@@ -58,7 +58,7 @@ class Checkpoint:
     @property
     def context(self) -> int:
         """Return the context length in tokens; a huge number if the configuration does not state it."""
-        return context_of(self._config())
+        return context_length(self._config())
 
     def check(self) -> None:
         """Raise TrainingError if there is no model configuration."""
@@ -78,12 +78,12 @@ class Checkpoint:
     @cached_property
     def _source(self) -> dict[str, Any]:
         """Return the arguments of `from_pretrained` that locate the files, determined once."""
-        return loading(self.path, self.revision)
+        return loading_arguments(self.path, self.revision)
 
     def _explained(self) -> AbstractContextManager[None]:
-        return explained(self.path, TrainingError)
+        return explain_errors(self.path, TrainingError)
 
 
-def context_of(config: External) -> int:
+def context_length(config: External) -> int:
     """Return the context length, in tokens, of a model configuration."""
     return getattr(config.get_text_config(), "max_position_embeddings", None) or ENDLESS

@@ -121,11 +121,11 @@ class Scratch(ModelSettings):
         """Return the checkpoint in `out`, which the first process creates if it does not exist."""
         state = library("accelerate").PartialState()
         with state.main_process_first():
-            if state.is_main_process and not self._held(out):
+            if state.is_main_process and not self._contains_model(out):
                 self._make(texts, out)
         return Checkpoint(str(out), precision="float32")
 
-    def _held(self, out: Path) -> bool:
+    def _contains_model(self, out: Path) -> bool:
         """Return whether the folder contains this model; TrainingError if it contains something else."""
         if not out.is_dir() or not any(out.iterdir()):
             return False

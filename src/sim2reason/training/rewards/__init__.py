@@ -12,7 +12,7 @@ from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.training.sources import Problem
 
-__all__ = ["REWARDS", "Reward", "reward_from", "reward_function"]
+__all__ = ["REWARDS", "Reward", "build_reward", "reward_function"]
 
 
 class Reward(BaseModel, ABC):
@@ -31,7 +31,7 @@ class Reward(BaseModel, ABC):
 REWARDS: Registry[type[Reward]] = Registry("training.rewards")
 
 
-def reward_from(settings: object) -> object:
+def build_reward(settings: object) -> object:
     """Return the reward from its name or settings with a `kind`; other values unchanged.
 
     Raises:

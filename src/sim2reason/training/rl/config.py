@@ -20,10 +20,10 @@ from sim2reason.training.extras import External, versions
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.models import MODELS, Checkpoint, ModelSettings, model_given
 from sim2reason.training.problem_stream import Curriculum, ProblemStream, prefetching
-from sim2reason.training.rewards import REWARDS, Reward, reward_from
-from sim2reason.training.run_files import RL_PLAN, claim, finish, result_in
-from sim2reason.training.sft.config import FineTuning, SftFolder, fine_tuning_from
-from sim2reason.training.sources import SOURCES, Problem, ProblemSource, source_from
+from sim2reason.training.rewards import REWARDS, Reward, build_reward
+from sim2reason.training.run_files import RL_PLAN, claim, finish, read_result
+from sim2reason.training.sft.config import FineTuning, SftFolder, build_fine_tuning
+from sim2reason.training.sources import SOURCES, Problem, ProblemSource, build_source
 from sim2reason.training.sources.problems import Fresh
 
 __all__ = [
@@ -31,16 +31,16 @@ __all__ = [
     "HeldOut",
     "Prefetch",
     "ReinforcementLearning",
-    "Trained",
     "TrainingFolder",
-    "reinforcement_learning_from",
+    "TrainingResult",
+    "build_reinforcement_learning",
 ]
 
 WARM_START = "warm-start"
 
 
 def _sources(given: object) -> object:
-    return build_each(given, source_from, "problems")
+    return build_each(given, build_source, "problems")
 
 
 def _one_or_more(given: object) -> object:
@@ -53,7 +53,7 @@ def _warm_start(given: object) -> object:
         return given
     if "out" in given:
         raise TrainingError("warm_start.out: its folder is in that of the run; leave it out")
-    return fine_tuning_from({**cast("Mapping[str, object]", given), "out": WARM_START})
+    return build_fine_tuning({**cast("Mapping[str, object]", given), "out": WARM_START})
 
 
 class _Settings(BaseModel):
@@ -89,7 +89,7 @@ class ReinforcementLearning(_Settings):
     problems: Annotated[tuple[SerializeAsAny[ProblemSource], ...], MinLen(1), BeforeValidator(_sources)]
     prefetch: Prefetch = Prefetch()
     curriculum: Curriculum | None = None
-    reward: Annotated[SerializeAsAny[Reward], BeforeValidator(reward_from)]
+    reward: Annotated[SerializeAsAny[Reward], BeforeValidator(build_reward)]
     gspo: GSPOSettings = GSPOSettings()
     processes: Annotated[int, Ge(1), Le(1024)] = 1
     """How many share each step on this machine, one for each GPU or core; accelerate and torchrun say it themselves."""
@@ -174,7 +174,7 @@ class ReinforcementLearning(_Settings):
         return settings
 
 
-def reinforcement_learning_from(
+def build_reinforcement_learning(
     config: "Path | str | Mapping[str, object] | ReinforcementLearning", out: Path | None = None
 ) -> ReinforcementLearning:
     """Return the configuration in a YAML file or settings; `out` overrides the output folder.
@@ -194,7 +194,7 @@ def reinforcement_learning_from(
 AVOIDED = "keys.json"
 
 
-class Trained(Record):
+class TrainingResult(Record):
     """The result of a run, stored in ``result.json``."""
 
     model: str
@@ -231,9 +231,9 @@ class TrainingFolder:
         warm = config.warm_start is None or SftFolder(self.warm_start).result() is not None
         return warm and (not config.held_out or self._avoided.is_file())
 
-    def result(self) -> Trained | None:
+    def result(self) -> TrainingResult | None:
         """Return the result of a finished run, else None."""
-        return result_in(self.path, Trained)
+        return read_result(self.path, TrainingResult)
 
     def problems(self, name: str) -> Path:
         """Return the path of a held-out set."""
@@ -264,7 +264,7 @@ class TrainingFolder:
         if hasattr(model, "merge_and_unload"):
             model = model.merge_and_unload()
         records = run.step_log.read()
-        result = Trained(
+        result = TrainingResult(
             model=self.model.name,
             initial=initial.path,
             revision=initial.revision,

@@ -11,17 +11,17 @@ from pydantic import JsonValue, ValidationError
 
 from sim2reason.base.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
-from sim2reason.evaluation.benchmarks import BenchmarkItem, items_of
+from sim2reason.evaluation.benchmarks import BenchmarkItem, load_items
 from sim2reason.evaluation.benchmarks.own import Saved
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
-from sim2reason.evaluation.policies import Policy, policy_from
-from sim2reason.evaluation.reports.comparison import PairedDifference, compare, scores_of
+from sim2reason.evaluation.policies import Policy, build_policy
+from sim2reason.evaluation.reports.comparison import PairedDifference, compare, read_scores
 from sim2reason.evaluation.reports.evaluation import evaluate
 from sim2reason.evaluation.reports.pages import table
-from sim2reason.evaluation.reports.results import Estimate, wilson
+from sim2reason.evaluation.reports.results import Estimate, wilson_interval
 from sim2reason.figures.run_plots import curves
-from sim2reason.training.processes import Advance, Begun
+from sim2reason.training.processes import AdvanceCallback, BeginCallback
 from sim2reason.training.rl.config import ReinforcementLearning, TrainingFolder
 from sim2reason.training.run_files import StepLog, StepRecord
 
@@ -33,11 +33,11 @@ __all__ = [
     "RESPONSES",
     "TrainingReport",
     "answer_before",
-    "answered",
     "best_constant",
     "cells",
-    "corpora_of",
+    "corpora_table",
     "evaluated",
+    "evaluation_folders",
     "report_training",
 ]
 
@@ -49,12 +49,12 @@ INSIDE = 0.98  # fraction of a tolerance that is surely inside after rounding to
 PROMISING = 16  # candidate constants that are scored
 
 
-def answered(config: ReinforcementLearning) -> dict[str, Path]:
+def evaluation_folders(config: ReinforcementLearning) -> dict[str, Path]:
     """Return the evaluation folder for each method of choosing response tokens: greedy or sampled."""
     return {name: TrainingFolder(config.out).evaluation / name for name in RESPONSES}
 
 
-def answer_before(config: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+def answer_before(config: ReinforcementLearning, begun: BeginCallback, advance: AdvanceCallback) -> None:
     """Evaluate the warm-started model, so that other runs of a study need not repeat it.
 
     Raises:
@@ -64,7 +64,9 @@ def answer_before(config: ReinforcementLearning, begun: Begun, advance: Advance)
         _asked(config, {BEFORE: (str(TrainingFolder(config.out).warm_start / "model"), None)}, begun, advance)
 
 
-def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> dict[str, Sequence[BenchmarkItem]]:
+def evaluated(
+    config: ReinforcementLearning, begun: BeginCallback, advance: AdvanceCallback
+) -> dict[str, Sequence[BenchmarkItem]]:
     """Evaluate both models of a finished run; return the problems of each set by its name.
 
     Raises:
@@ -76,17 +78,20 @@ def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> 
     if not config.held_out or result is None:
         raise TrainingError(f"{config.out}: no finished run with held_out problems; train it first")
     models = {BEFORE: (result.initial, result.revision), AFTER: (str(folder.model), None)}
-    return {each.name: items_of(each) for each in _asked(config, models, begun, advance)}
+    return {each.name: load_items(each) for each in _asked(config, models, begun, advance)}
 
 
 def _asked(
-    config: ReinforcementLearning, models: Mapping[str, tuple[str, str | None]], begun: Begun, advance: Advance
+    config: ReinforcementLearning,
+    models: Mapping[str, tuple[str, str | None]],
+    begun: BeginCallback,
+    advance: AdvanceCallback,
 ) -> tuple[Saved, ...]:
     """Evaluate models on the held-out problems unless done before; return the held-out sets as benchmarks."""
     folder = TrainingFolder(config.out)
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
-    for name, out in answered(config).items():
+    for name, out in evaluation_folders(config).items():
         temperature = RESPONSES[name]
         policies = tuple(_policy(config, each, *model, temperature) for each, model in models.items())
         once = tuple(each.model_copy(update={"samples": 1}) for each in benchmarks)
@@ -98,7 +103,7 @@ def _asked(
 def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
     settings = config.evaluation_policy
     sampling = {**settings["sampling"], "temperature": temperature}
-    return policy_from({**settings, "name": name, "model": model, "revision": revision, "sampling": sampling}, name)
+    return build_policy({**settings, "name": name, "model": model, "revision": revision, "sampling": sampling}, name)
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:
@@ -106,7 +111,7 @@ def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -
     groups: dict[str, list[BenchmarkItem]] = defaultdict(list)
     for item in items:
         groups[", ".join(item.tags.get(CELL, ("",)))].append(item)
-    means = [scores_of(f"{run}:{who}").means(name) for run in runs.values() for who in (BEFORE, AFTER)]
+    means = [read_scores(f"{run}:{who}").means(name) for run in runs.values() for who in (BEFORE, AFTER)]
     rows = list[list[object]]()
     for cell, group in [*sorted(groups.items()), ("all", list(items))]:
         shown = [_share([run_means[item.id] for item in group if item.id in run_means]) for run_means in means]
@@ -116,7 +121,7 @@ def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -
 
 def _share(points: Sequence[float]) -> str:
     """Return a mean with Wilson's interval for as many trials as problems, in per cent."""
-    return wilson(round(sum(points)), len(points)).shown if points else "—"
+    return wilson_interval(round(sum(points)), len(points)).shown if points else "—"
 
 
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
@@ -128,7 +133,7 @@ def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
     for number in _promising(items):
         response = f"\\boxed{{{number:.6g}}}"
         best = max(best, sum(SCORINGS[item.scoring].award(response, item.reference).points == 1.0 for item in items))
-    return wilson(best, len(items))
+    return wilson_interval(best, len(items))
 
 
 def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
@@ -217,7 +222,7 @@ def _found(
     steps: Sequence[StepRecord],
     out: Path,
 ) -> TrainingReport:
-    runs, total = answered(config) if sets else {}, sum(step.seconds.step for step in steps)
+    runs, total = evaluation_folders(config) if sets else {}, sum(step.seconds.step for step in steps)
     return TrainingReport(
         differences={name: compare(f"{run}:{BEFORE}", f"{run}:{AFTER}") for name, run in runs.items()},
         cells={name: cells(name, items, runs) for name, items in sets.items()},
@@ -247,7 +252,7 @@ def _page(
         f"{len(steps)} steps of {report.seconds:.1f} s; for {100 * report.overhead:.1f} % of that they waited for "
         f"problems and rewards. Making problems took other processes {report.problems:.1f} s of CPU time a step."
     )
-    learned = ["What the warm start learned from:", "", *corpora_of(folder), ""] if folder.learned.is_file() else []
+    learned = ["What the warm start learned from:", "", *corpora_table(folder), ""] if folder.learned.is_file() else []
     return [f"# {config.out.name}", "", *(_accuracies(report) if report.cells else []), cost, "", *learned, PLOT]
 
 
@@ -266,7 +271,7 @@ def _accuracies(report: TrainingReport) -> list[str]:
     return [*lines, "The best constant is the one that suits these very problems best.", ""]
 
 
-def corpora_of(folder: TrainingFolder) -> list[str]:
+def corpora_table(folder: TrainingFolder) -> list[str]:
     """Return a table of the warm start's corpora with their fractions of wrong solutions."""
     try:
         records = json.loads(folder.learned.read_text("utf-8"))

@@ -9,14 +9,19 @@ from datetime import timedelta
 from pathlib import Path
 from typing import Literal
 
-from sim2reason.base.atomic_files import working_in
-from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
+from sim2reason.base.atomic_files import lock_work_folder
+from sim2reason.training.extras import External, disable_cudnn_attention, library, require, silence_library
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models import Checkpoint, uses_chat_template
 from sim2reason.training.problem_stream import ProblemStream, prefetching
-from sim2reason.training.processes import Advance, Begun, in_processes, launched
+from sim2reason.training.processes import AdvanceCallback, BeginCallback, is_launched, run_in_processes
 from sim2reason.training.rewards import reward_function
-from sim2reason.training.rl.config import ReinforcementLearning, Trained, TrainingFolder, reinforcement_learning_from
+from sim2reason.training.rl.config import (
+    ReinforcementLearning,
+    TrainingFolder,
+    TrainingResult,
+    build_reinforcement_learning,
+)
 from sim2reason.training.sft.config import FineTuning
 from sim2reason.training.sft.run import prepare_sft, train_sft
 
@@ -32,9 +37,9 @@ def train_rl(
     config: Path | str | Mapping[str, object] | ReinforcementLearning,
     out: Path | None = None,
     *,
-    begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
-    advance: Advance = lambda _: None,
-) -> Trained:
+    begun: BeginCallback = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: AdvanceCallback = lambda _: None,
+) -> TrainingResult:
     """Train by a YAML file or settings; `out` overrides the output folder.
 
     An interrupted run continues from its last checkpoint with the next prompt; a finished one returns its result.
@@ -47,8 +52,8 @@ def train_rl(
         MissingExtraError: a library of the extra [train], or one that the settings name, is missing.
         DatasetError: another run is writing in the folder, or a dataset is damaged.
     """
-    settings = reinforcement_learning_from(config, out)
-    _in_all_processes(_train, settings, begun, advance)
+    settings = build_reinforcement_learning(config, out)
+    _run_in_all_processes(_train, settings, begun, advance)
     result = TrainingFolder(settings.out).result()
     assert result is not None
     return result
@@ -59,8 +64,8 @@ def prepare_rl(
     out: Path | None = None,
     *,
     until: Stage = "warm-start",
-    begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
-    advance: Advance = lambda _: None,
+    begun: BeginCallback = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: AdvanceCallback = lambda _: None,
 ) -> Path:
     """Run the steps before reinforcement learning, with the arguments of `train_rl`.
 
@@ -70,21 +75,21 @@ def prepare_rl(
     Raises:
         TrainingError, MissingExtraError, DatasetError: as `train_rl` does.
     """
-    settings = reinforcement_learning_from(config, out)
-    _in_all_processes(_prepare_data if until == "data" else _prepare, settings, begun, advance)
+    settings = build_reinforcement_learning(config, out)
+    _run_in_all_processes(_prepare_data if until == "data" else _prepare, settings, begun, advance)
     return settings.out
 
 
-def _in_all_processes(
-    work: Callable[[ReinforcementLearning, Begun, Advance], object],
+def _run_in_all_processes(
+    work: Callable[[ReinforcementLearning, BeginCallback, AdvanceCallback], object],
     settings: ReinforcementLearning,
-    begun: Begun,
-    advance: Advance,
+    begun: BeginCallback,
+    advance: AdvanceCallback,
 ) -> None:
     """Run a step in the configured number of processes, unless several were already started."""
     require(*NEEDED, *settings.libraries)
-    if settings.processes > 1 and not launched():
-        in_processes(settings.processes, work, settings, begun, advance)
+    if settings.processes > 1 and not is_launched():
+        run_in_processes(settings.processes, work, settings, begun, advance)
     else:
         work(settings, begun, advance)
 
@@ -93,15 +98,15 @@ def _in_all_processes(
 def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder, External]]:
     """Return a context with the folder of the run, claimed by the main process, and accelerate's state."""
     torch = library("torch")
-    without_cudnn_attention()
+    disable_cudnn_attention()
     state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
     settings.check_shares(state.num_processes)
     folder = TrainingFolder(settings.out)
     if not state.is_main_process:
-        with quiet():
+        with silence_library():
             yield folder, state
         return
-    with working_in(folder.path), quiet():
+    with lock_work_folder(folder.path), silence_library():
         folder.claim(settings)
         yield folder, state
 
@@ -114,7 +119,7 @@ def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: Ex
         return folder.hold_out(settings.held_out, settings.prefetch.workers + 1)
 
 
-def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+def _prepare_data(settings: ReinforcementLearning, begun: BeginCallback, advance: AdvanceCallback) -> None:
     """Generate the held-out problems and the warm start's rows."""
     del begun, advance
     with _entered(settings) as (folder, state):
@@ -123,13 +128,13 @@ def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advanc
             prepare_sft(_warm_start(settings.warm_start, folder), avoid=avoid)
 
 
-def _prepare(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+def _prepare(settings: ReinforcementLearning, begun: BeginCallback, advance: AdvanceCallback) -> None:
     """Generate the held-out problems, and train the warm start."""
     with _entered(settings) as (folder, state):
         _checkpoint(settings, folder, _held_out(settings, folder, state), begun, advance)
 
 
-def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+def _train(settings: ReinforcementLearning, begun: BeginCallback, advance: AdvanceCallback) -> None:
     """Generate the held-out problems, train the warm start, then run reinforcement learning."""
     with _entered(settings) as (folder, state):
         if folder.result() is not None:
@@ -146,7 +151,11 @@ def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> N
 
 
 def _checkpoint(
-    settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
+    settings: ReinforcementLearning,
+    folder: TrainingFolder,
+    avoid: frozenset[str],
+    begun: BeginCallback,
+    advance: AdvanceCallback,
 ) -> Checkpoint:
     """Return the model to train by reinforcement learning: the configured one, or the result of the warm start."""
     warm = settings.warm_start
@@ -167,8 +176,8 @@ def _trained(
     folder: TrainingFolder,
     checkpoint: Checkpoint,
     stream: ProblemStream,
-    begun: Begun,
-    advance: Advance,
+    begun: BeginCallback,
+    advance: AdvanceCallback,
 ) -> None:
     settings.gspo.check_context(checkpoint.context)
     tokenizer = checkpoint.tokenizer(padding_side="left")
@@ -184,7 +193,7 @@ def _trained(
     run.accelerator.end_training()
 
 
-def _told(advance: Advance, minibatches: int) -> External:
+def _told(advance: AdvanceCallback, minibatches: int) -> External:
     """Return a callback that reports each finished step."""
 
     class Told(library("transformers").TrainerCallback):

@@ -3,7 +3,7 @@
 corpora ── rows ── tokens ── TRL's SFTTrainer ↦ a folder that loads like any checkpoint
 """
 
-from sim2reason.training.sft.config import FineTuned, FineTuning
+from sim2reason.training.sft.config import FineTuning, FineTuningResult
 from sim2reason.training.sft.run import train_sft
 
-__all__ = ["FineTuned", "FineTuning", "train_sft"]
+__all__ = ["FineTuning", "FineTuningResult", "train_sft"]

@@ -11,24 +11,24 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, JsonValue, SerializeAsAny, model_validator
 
-from sim2reason.base.atomic_files import canonical, put, put_text, sync
+from sim2reason.base.atomic_files import canonical, put_text, sync, write_atomically
 from sim2reason.base.settings import build_each, configuration
 from sim2reason.errors import TrainingError
 from sim2reason.generation.item import Record
-from sim2reason.training.corpora import CORPORA, Corpus, Row, corpus_from
-from sim2reason.training.corpora.rows import mixed, rows_in
+from sim2reason.training.corpora import CORPORA, Corpus, Row, build_corpus
+from sim2reason.training.corpora.rows import mix_corpora, read_rows
 from sim2reason.training.models import MODELS, ModelSettings, model_given
 from sim2reason.training.optimization import Lora
-from sim2reason.training.run_files import SFT_PLAN, StepLines, claim, finish, result_in
+from sim2reason.training.run_files import SFT_PLAN, StepLines, claim, finish, read_result
 
-__all__ = ["FineTuned", "FineTuning", "SftFolder", "fine_tuning_from"]
+__all__ = ["FineTuning", "FineTuningResult", "SftFolder", "build_fine_tuning"]
 
 LARGEST_SEED = 2**32 - 1  # of numpy's global generator, which the trainer seeds
 MOST_STEPS = 10**8
 
 
 def _corpora(given: object) -> object:
-    return build_each(given, corpus_from, "corpora")
+    return build_each(given, build_corpus, "corpora")
 
 
 Rate = Annotated[float, Gt(0.0), Le(10.0)]
@@ -148,7 +148,7 @@ class FineTuning(BaseModel):
         return micro, share // micro
 
 
-def fine_tuning_from(config: "Path | str | Mapping[str, object] | FineTuning", out: Path | None = None) -> FineTuning:
+def build_fine_tuning(config: "Path | str | Mapping[str, object] | FineTuning", out: Path | None = None) -> FineTuning:
     """Return the configuration in a YAML file or settings; `out` overrides the output folder.
 
     Relative paths refer to the current working directory.
@@ -167,7 +167,7 @@ ROWS, CORPORA_FOLDER, LOG, WHOLE = "rows.jsonl", "corpora.json", "log.jsonl", "w
 CHECKPOINT = "checkpoint-"
 
 
-class FineTuned(Record):
+class FineTuningResult(Record):
     """The result of a run, stored in ``result.json``."""
 
     model: str
@@ -202,11 +202,11 @@ class SftFolder:
         """Return the paths of the files before the first step of training."""
         return *(self.path / name for name in (SFT_PLAN, ROWS, CORPORA_FOLDER)), self.initial
 
-    def result(self) -> FineTuned | None:
+    def result(self) -> FineTuningResult | None:
         """Return the result of a finished run, else None."""
-        return result_in(self.path, FineTuned)
+        return read_result(self.path, FineTuningResult)
 
-    def finish(self, result: FineTuned) -> None:
+    def finish(self, result: FineTuningResult) -> None:
         """Write the result of the run into its folder."""
         finish(self.path, result)
 
@@ -214,18 +214,18 @@ class SftFolder:
         """Write the rows unless they exist, so that a resumed run uses the same ones."""
         if (self.path / CORPORA_FOLDER).is_file():
             return
-        mix = mixed(config.corpora, config.seed, avoid)
+        mix = mix_corpora(config.corpora, config.seed, avoid)
 
         def write(temporary: Path) -> None:
             with temporary.open("w", encoding="utf-8", newline="\n") as file:
                 file.writelines(f"{json.dumps(asdict(row), ensure_ascii=False)}\n" for row in mix.rows)
 
-        put(self.path / ROWS, write, self.path)
+        write_atomically(self.path / ROWS, write, self.path)
         put_text(self.path / CORPORA_FOLDER, canonical([asdict(each) for each in mix.corpora]), self.path)
 
     def rows(self) -> list[Row]:
         """Return all rows in order."""
-        return list(rows_in(self.path / ROWS))
+        return list(read_rows(self.path / ROWS))
 
     def corpora(self) -> list[dict[str, JsonValue]]:
         """Return the counts of each corpus."""

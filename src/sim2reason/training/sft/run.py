@@ -8,14 +8,14 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from sim2reason.base.atomic_files import working_in
+from sim2reason.base.atomic_files import lock_work_folder
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import Row
-from sim2reason.training.corpora.rows import Limits, counted, encoded_table
-from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
-from sim2reason.training.models import Loaded, uses_chat_template
-from sim2reason.training.models.checkpoints import context_of
-from sim2reason.training.sft.config import FineTuned, FineTuning, SftFolder, fine_tuning_from
+from sim2reason.training.corpora.rows import Limits, encoded_table, format_reasons
+from sim2reason.training.extras import External, disable_cudnn_attention, library, require, silence_library
+from sim2reason.training.models import LoadedModel, uses_chat_template
+from sim2reason.training.models.checkpoints import context_length
+from sim2reason.training.sft.config import FineTuning, FineTuningResult, SftFolder, build_fine_tuning
 from sim2reason.training.sft.trainer import arguments, trainer
 
 __all__ = ["prepare_sft", "train_sft"]
@@ -30,7 +30,7 @@ def train_sft(
     avoid: frozenset[str] = frozenset(),
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
-) -> FineTuned:
+) -> FineTuningResult:
     """Fine-tune by a YAML file or settings; `out` overrides the output folder.
 
     An interrupted run continues from its last checkpoint, with the same final weights on the same machine; a finished
@@ -43,13 +43,13 @@ def train_sft(
         MissingExtraError: a library of the extra [train] is missing.
         DatasetError: another run is writing in the folder, or a dataset is damaged.
     """
-    settings = fine_tuning_from(config, out)
+    settings = build_fine_tuning(config, out)
     require(*NEEDED, *settings.libraries)
-    without_cudnn_attention()
+    disable_cudnn_attention()
     state = library("accelerate").PartialState(cpu=settings.device == "cpu")
     settings.accumulated(state.num_processes)
     folder = SftFolder(settings.out)
-    with _held(folder, settings, main=state.is_main_process), quiet():
+    with _claimed_folder(folder, settings, main=state.is_main_process), silence_library():
         with state.main_process_first():
             done = folder.result()
             if done is None and state.is_main_process:
@@ -72,11 +72,11 @@ def prepare_sft(
     This saves time on a rented GPU machine; `train_sft` continues in the same folder. The errors are those of
     `train_sft`.
     """
-    settings = fine_tuning_from(config, out)
+    settings = build_fine_tuning(config, out)
     require(*NEEDED, *settings.libraries)
     state = library("accelerate").PartialState(cpu=settings.device == "cpu")
     folder, main = SftFolder(settings.out), state.is_main_process
-    with _held(folder, settings, main=main), quiet():
+    with _claimed_folder(folder, settings, main=main), silence_library():
         if main and folder.result() is None:
             folder.draw(settings, avoid)
         state.wait_for_everyone()
@@ -86,12 +86,12 @@ def prepare_sft(
 
 
 @contextmanager
-def _held(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[None, None, None]:
+def _claimed_folder(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[None, None, None]:
     """Lock and claim the folder for a run while the block runs; do nothing in other processes than the main one."""
     if not main:
         yield
         return
-    with working_in(folder.path):
+    with lock_work_folder(folder.path):
         folder.claim(config)
         yield
 
@@ -102,14 +102,14 @@ def _trained(
     state: External,
     begun: Callable[[str, int], object],
     advance: Callable[[int], object],
-) -> FineTuned:
+) -> FineTuningResult:
     """Train or continue, and save the result."""
     rows = folder.rows()
     loaded = config.model.load(_texts(rows), folder.initial)
     chat = uses_chat_template(loaded.tokenizer, loaded.path, chat=config.chat)
     encoded, left_out = encoded_table(rows, loaded.tokenizer, _limits(config, loaded), chat=chat)
     if not len(encoded):
-        raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")
+        raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {format_reasons(left_out)}")
     steps = config.steps_of(len(encoded))
     last = folder.checkpoint()
     if state.is_main_process:
@@ -119,7 +119,7 @@ def _trained(
     run = trainer(config, settings, loaded, library("datasets").Dataset(encoded), folder, advance)
     run.train(resume_from_checkpoint=str(last) if last else None)
     parameters = _saved(run, loaded, folder, config)
-    result = FineTuned(
+    result = FineTuningResult(
         model=folder.model.name,
         parameters=parameters,
         rows=len(encoded),
@@ -133,9 +133,9 @@ def _trained(
     return result
 
 
-def _limits(config: FineTuning, loaded: Loaded) -> Limits:
+def _limits(config: FineTuning, loaded: LoadedModel) -> Limits:
     """Return the token limits of the configuration and of the model's context."""
-    return Limits(config.max_prompt_tokens, config.max_completion_tokens, context_of(loaded.model.config))
+    return Limits(config.max_prompt_tokens, config.max_completion_tokens, context_length(loaded.model.config))
 
 
 def _texts(rows: Sequence[Row]) -> Iterator[str]:
@@ -143,7 +143,7 @@ def _texts(rows: Sequence[Row]) -> Iterator[str]:
     return (text for row in rows for text in (row.prompt, row.completion))
 
 
-def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning) -> int:
+def _saved(run: External, loaded: LoadedModel, folder: SftFolder, config: FineTuning) -> int:
     """Save the model with merged adapters and its tokenizer; return the number of parameters."""
     scratch = folder.path / "model.part"
     if config.lora is None:

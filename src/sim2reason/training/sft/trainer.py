@@ -16,7 +16,7 @@ import numpy as np
 from sim2reason.errors import TrainingError
 from sim2reason.generation.item_search import generator
 from sim2reason.training.extras import External, library
-from sim2reason.training.models import Loaded
+from sim2reason.training.models import LoadedModel
 from sim2reason.training.optimization import muon_with_adamw
 from sim2reason.training.sft.config import FineTuning, SftFolder
 
@@ -112,7 +112,7 @@ def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -
 def trainer(
     config: FineTuning,
     arguments: External,
-    loaded: Loaded,
+    loaded: LoadedModel,
     data: External,
     folder: SftFolder,
     advance: Advance,

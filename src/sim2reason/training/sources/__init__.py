@@ -13,7 +13,7 @@ from sim2reason.errors import TrainingError
 from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.evaluation.policies import Name
 
-__all__ = ["SOURCES", "Problem", "ProblemSource", "source_from"]
+__all__ = ["SOURCES", "Problem", "ProblemSource", "build_source"]
 
 
 class Problem(BaseModel):
@@ -60,7 +60,7 @@ class ProblemSource(BaseModel, ABC):
 SOURCES: Registry[type[ProblemSource]] = Registry("training.sources")
 
 
-def source_from(settings: Mapping[str, object], location: str) -> ProblemSource:
+def build_source(settings: Mapping[str, object], location: str) -> ProblemSource:
     """Return the source described by settings; `kind` is its registered name.
 
     Raises:

@@ -9,11 +9,11 @@ from annotated_types import Ge, Le
 from pydantic import Field, field_validator, model_validator
 
 from sim2reason.base.records import cached_property
-from sim2reason.base.settings import validated
+from sim2reason.base.settings import validate_with
 from sim2reason.datasets.duplicates import variant
-from sim2reason.datasets.plan import Chosen, Config, difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.plan import Chosen, Config, difficulties_named, find_modes, find_recipes
 from sim2reason.errors import Sim2ReasonError
-from sim2reason.evaluation.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
+from sim2reason.evaluation.benchmarks import Benchmark, BenchmarkItem, build_benchmark, load_items
 from sim2reason.evaluation.benchmarks.own import benchmark_item
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.generation.item import Item
@@ -52,12 +52,12 @@ class Fresh(Chosen, ProblemSource):
             raise ValueError("give either kinds or weights")
         if unknown := [kind for kind in self.kinds if kind not in KINDS]:
             raise ValueError(f"no such kind: {unknown[0]!r}; there are: {', '.join(KINDS)}")
-        return validated(lambda own: own.cells, self)
+        return validate_with(lambda own: own.cells, self)
 
     @field_validator("units")
     @classmethod
     def _units(cls, value: str) -> str:
-        return validated(system_named, value)
+        return validate_with(system_named, value)
 
     @field_validator("quantities")
     @classmethod
@@ -75,7 +75,7 @@ class Fresh(Chosen, ProblemSource):
     @cached_property
     def _configs(self) -> dict[str, Config]:
         """Return the dataset configuration of each difficulty, which orders recipes and modes."""
-        recipes, modes = recipes_named(self.recipe), modes_named(self.modes)
+        recipes, modes = find_recipes(self.recipe), find_modes(self.modes)
         weights = self.weights if not self.kinds else {kind: float(kind in self.kinds) for kind in KINDS}
         check(weights, modes, recipes)
         units = system_named(self.units).name
@@ -133,19 +133,19 @@ class BenchmarkSource(ProblemSource):
     @classmethod
     def _readable(cls, value: dict[str, Any]) -> dict[str, Any]:
         try:
-            benchmark_from({"name": "source", **value})
+            build_benchmark({"name": "source", **value})
         except Sim2ReasonError as error:
             raise ValueError(str(error)) from None
         return value
 
     @cached_property
     def _benchmark(self) -> Benchmark:
-        return benchmark_from({"name": self.name, **self.benchmark})
+        return build_benchmark({"name": self.name, **self.benchmark})
 
     @cached_property
-    def _held(self) -> dict[str, list[BenchmarkItem]]:
+    def _load_items(self) -> dict[str, list[BenchmarkItem]]:
         by_cell: dict[str, list[BenchmarkItem]] = {}
-        items = items_of(self._benchmark)
+        items = load_items(self._benchmark)
         for rule in {item.scoring for item in items}:
             SCORINGS[rule].check()
         for item in items:
@@ -155,11 +155,11 @@ class BenchmarkSource(ProblemSource):
     @property
     def cells(self) -> tuple[str, ...]:
         """Return the difficulties if the items have some; else a single cell."""
-        return tuple(self._held)
+        return tuple(self._load_items)
 
     def at(self, cell: str, index: int) -> Problem | None:
         """Return the `index`-th problem of a cell, whose problems repeat in a new random order."""
-        problems = self._held[cell]
+        problems = self._load_items[cell]
         turn, position = divmod(index, len(problems))
         order = generator("order", self.seed, self.name, cell, turn).permutation(len(problems))
         item = problems[int(order[position])]
@@ -167,5 +167,5 @@ class BenchmarkSource(ProblemSource):
 
     def items(self) -> Iterator[BenchmarkItem]:
         """Yield all problems of the benchmark."""
-        for problems in self._held.values():
+        for problems in self._load_items.values():
             yield from problems

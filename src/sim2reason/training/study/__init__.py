@@ -6,7 +6,7 @@ OUT/report/         all of it on a page
 A study may grow: with more arms or seeds the same folder keeps what is finished.
 """
 
-from sim2reason.training.study.config import TrainingStudy, study_from
+from sim2reason.training.study.config import TrainingStudy, build_study
 from sim2reason.training.study.run import train_study
 
-__all__ = ["TrainingStudy", "study_from", "train_study"]
+__all__ = ["TrainingStudy", "build_study", "train_study"]

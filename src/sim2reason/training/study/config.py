@@ -8,13 +8,13 @@ from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_validator
 
 from sim2reason.base.records import cached_property
-from sim2reason.base.settings import configuration, settings_in
+from sim2reason.base.settings import configuration, read_settings
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.evaluation.policies import Name
 from sim2reason.generation.request import LARGEST
-from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
+from sim2reason.training.rl.config import ReinforcementLearning, build_reinforcement_learning
 
-__all__ = ["Arm", "TrainingStudy", "study_from"]
+__all__ = ["Arm", "TrainingStudy", "build_study"]
 
 STRIDE = 1_000_003
 """Between the seeds from which runs with neighbouring seeds draw their problems."""
@@ -26,7 +26,7 @@ SEEDS = TypeAdapter[tuple[int, ...]](Seeds)
 
 def _base(given: object) -> object:
     """Return the base settings, given directly or as a file."""
-    return settings_in(Path(given)) if isinstance(given, str | Path) else given
+    return read_settings(Path(given)) if isinstance(given, str | Path) else given
 
 
 class Arm(NamedTuple):
@@ -97,7 +97,7 @@ class TrainingStudy(BaseModel):
         by_arm: dict[Arm, ReinforcementLearning] = {}
         for arm, settings in self.settings.items():
             try:
-                by_arm[arm] = reinforcement_learning_from(settings)
+                by_arm[arm] = build_reinforcement_learning(settings)
             except Sim2ReasonError as error:
                 error.args = (f"arms.{arm.name}: {error}", *error.args[1:])
                 raise
@@ -135,7 +135,7 @@ def _drawn_anew(given: object, seed: int) -> object:
     return {**settings, "seed": (first + STRIDE * seed) % LARGEST if isinstance(first, int) else first}
 
 
-def study_from(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
+def build_study(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
     """Return the study in a YAML file or settings; `out` overrides the output folder.
 
     Relative paths refer to the current working directory.

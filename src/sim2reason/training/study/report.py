@@ -13,11 +13,11 @@ from pydantic import JsonValue
 
 from sim2reason.base.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
-from sim2reason.evaluation.benchmarks import BenchmarkItem, items_of
+from sim2reason.evaluation.benchmarks import BenchmarkItem, load_items
 from sim2reason.evaluation.benchmarks.own import Saved
-from sim2reason.evaluation.reports.comparison import scores_of
+from sim2reason.evaluation.reports.comparison import read_scores
 from sim2reason.evaluation.reports.pages import table
-from sim2reason.evaluation.reports.results import Estimate, difference, mean_of_items
+from sim2reason.evaluation.reports.results import Estimate, difference, item_mean
 from sim2reason.figures.run_plots import curves
 from sim2reason.training.rl.config import TrainingFolder
 from sim2reason.training.rl.report import (
@@ -26,9 +26,9 @@ from sim2reason.training.rl.report import (
     PANELS,
     PLOT,
     RESPONSES,
-    answered,
     best_constant,
-    corpora_of,
+    corpora_table,
+    evaluation_folders,
 )
 from sim2reason.training.run_files import StepLog
 from sim2reason.training.study.config import Arm, TrainingStudy
@@ -96,19 +96,19 @@ def report_study(study: TrainingStudy) -> StudyReport:
 
 
 def _problems(name: str, folder: TrainingFolder) -> Sequence[BenchmarkItem]:
-    return items_of(Saved(name=name, file=folder.problems(name)))
+    return load_items(Saved(name=name, file=folder.problems(name)))
 
 
 def _points(study: TrainingStudy, arm: Arm, responses: str, name: str) -> tuple[Means, Means]:
     """Return the mean points of each held-out problem before and after training, for one run of a study."""
-    run = answered(study.configs[arm])[responses]
-    before, after = (scores_of(f"{run}:{who}").means(name) for who in (BEFORE, AFTER))
+    run = evaluation_folders(study.configs[arm])[responses]
+    before, after = (read_scores(f"{run}:{who}").means(name) for who in (BEFORE, AFTER))
     return before, after
 
 
 def _run(name: str, responses: str, arm: Arm, before: Means, after: Means) -> RunAccuracy:
     first, last = ([points[item] for item in sorted(points)] for points in (before, after))
-    shares = [mean_of_items([[each] for each in points]) for points in (first, last)]
+    shares = [item_mean([[each] for each in points]) for points in (first, last)]
     return RunAccuracy(name, responses, arm.name, arm.seed, shares[0], shares[1], difference(first, last))
 
 
@@ -206,7 +206,7 @@ def _corpora(study: TrainingStudy) -> list[str]:
     for arm in study.arms:
         folder = TrainingFolder(study.first(arm).out)
         if folder.learned.is_file():
-            arms.setdefault("\n".join(corpora_of(folder)), []).append(arm)
+            arms.setdefault("\n".join(corpora_table(folder)), []).append(arm)
     return [
         line
         for corpora_text, names in arms.items()

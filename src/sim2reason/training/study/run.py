@@ -12,13 +12,13 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
-from sim2reason.base.atomic_files import canonical, put_text, working_in
+from sim2reason.base.atomic_files import canonical, lock_work_folder, put_text
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.evaluation.benchmarks.runs.config import RUN, copy_answers
 from sim2reason.training.extras import require
-from sim2reason.training.rl.config import Trained, TrainingFolder
+from sim2reason.training.rl.config import TrainingFolder, TrainingResult
 from sim2reason.training.rl.run import NEEDED, Stage
-from sim2reason.training.study.config import Arm, TrainingStudy, study_from
+from sim2reason.training.study.config import Arm, TrainingStudy, build_study
 
 __all__ = ["prepare_study", "train_study"]
 
@@ -32,7 +32,7 @@ def train_study(
     *,
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
-) -> dict[str, Trained]:
+) -> dict[str, TrainingResult]:
     """Run all runs of a study; return the results by name.
 
     `out` overrides the output folder. Finished runs are kept, and interrupted ones continue. A warm start common to
@@ -44,7 +44,7 @@ def train_study(
         DatasetError: another study is writing in the folder.
     """
     study = _checked(config, out)
-    with working_in(study.out):
+    with lock_work_folder(study.out):
         begun("runs", len(study.runs))
         for arm in study.runs:
             _claim(study, arm)
@@ -73,7 +73,7 @@ def prepare_study(
         TrainingError, MissingExtraError, DatasetError: as `train_study` does.
     """
     study = _checked(config, out)
-    with working_in(study.out):
+    with lock_work_folder(study.out):
         for arm in study.runs:
             _claim(study, arm)
         begun("preparations", len(_firsts(study)))
@@ -83,7 +83,7 @@ def prepare_study(
 
 
 def _checked(config: Path | str | Mapping[str, object] | TrainingStudy, out: Path | None) -> TrainingStudy:
-    study = study_from(config, out)
+    study = build_study(config, out)
     require(*NEEDED, *(name for each in study.configs.values() for name in each.libraries))
     return study
 
@@ -103,7 +103,7 @@ def _claim(study: TrainingStudy, arm: Arm) -> None:
     """Create the folder of a run; TrainingError if the run could not start, or the folder is another's."""
     folder = _folder(study, arm)
     try:
-        with working_in(folder.path):
+        with lock_work_folder(folder.path):
             folder.claim(study.configs[arm])
     except Sim2ReasonError as error:
         error.args = (f"arms.{arm.name}: {error}", *error.args[1:])

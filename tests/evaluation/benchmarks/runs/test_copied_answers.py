@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.evaluation.benchmarks.runs.config import RunFolder, copy_answers, evaluation_from
+from sim2reason.evaluation.benchmarks.runs.config import RunFolder, build_evaluation, copy_answers
 from sim2reason.evaluation.benchmarks.runs.run import run
-from sim2reason.evaluation.policies.journal import finished
+from sim2reason.evaluation.policies.journal import read_finished
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def made(tmp_path: Path) -> Path:
     policies = [{"kind": "constant", "name": name, "text": name} for name in ("1", "2")]
     benchmarks = [{"kind": "jsonl", "name": "numbers", "file": str(tmp_path / "numbers.json")}]
     out = tmp_path / "run"
-    run(evaluation_from({"policies": policies, "benchmarks": benchmarks}, out))
+    run(build_evaluation({"policies": policies, "benchmarks": benchmarks}, out))
     record = json.loads((out / "run.json").read_text())
     for held in ("settings", "decisive"):
         record["policies"]["1"][held]["model"] = "here"
@@ -32,7 +32,7 @@ def test_answers_of_the_model_come_along_and_no_others(made: Path, tmp_path: Pat
     found = RunFolder(out)
     assert [(name, plan.decisive["model"]) for name, plan in found.record.policies.items()] == [("1", "there")]
     assert found.record.policies["1"].settings["model"] == "there"
-    assert [each.id for each in finished(found.samples("1", "numbers"))] == ["n1", "n2", "n3"]
+    assert [each.id for each in read_finished(found.samples("1", "numbers"))] == ["n1", "n2", "n3"]
     assert not found.samples("2", "numbers").exists()
     assert len(found.items("numbers")) == 3
 

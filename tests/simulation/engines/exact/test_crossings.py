@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import ZERO, X
-from sim2reason.simulation.engines.exact.crossings import ARMED, Crossing, Watch
+from sim2reason.simulation.engines.exact.crossings import ARMING_MARGIN, Crossing, MarginWatch
 from sim2reason.simulation.engines.exact.engine import motion
 
 Margin = Callable[[float], float]
@@ -18,7 +18,7 @@ Margin = Callable[[float], float]
 
 def first(margin: Margin, start: float | None = None) -> Crossing | None:
     """Return the first crossing of a margin over the whole step; `start` is its value when the mode began."""
-    watch = Watch([margin(0.0) if start is None else start])
+    watch = MarginWatch([margin(0.0) if start is None else start])
     found = watch.crossings([(margin(0.0),), (margin(0.5),), (margin(1.0),)], lambda x: (margin(x),))
     return found[0][1] if found else None
 
@@ -59,7 +59,7 @@ def test_what_rises_from_nothing_is_due_when_it_comes_back_in_the_same_step() ->
 def test_what_falls_from_nothing_is_due_where_it_falls_short_by_more_than_rounding() -> None:
     found = first(lambda x: -2e-4 * x)
     assert found is not None
-    assert (found.low, found.room) == (0.0, ARMED)
+    assert (found.low, found.room) == (0.0, ARMING_MARGIN)
 
 
 def test_rounding_below_zero_at_the_start_is_no_event_again_and_again() -> None:

@@ -61,10 +61,10 @@ def test_the_estimate_of_an_error_is_near_or_above_the_error() -> None:
 
 
 def test_the_next_step_is_longer_or_shorter_within_bounds() -> None:
-    assert dop853.factor(0.0) == dop853.MAX_STEP_RATIO
-    assert dop853.factor(1e-30) == dop853.MAX_STEP_RATIO
-    assert dop853.factor(1e30) == dop853.MIN_STEP_RATIO
-    assert dop853.factor(1.0) == pytest.approx(dop853.SAFETY)
+    assert dop853.step_ratio(0.0) == dop853.MAX_STEP_RATIO
+    assert dop853.step_ratio(1e-30) == dop853.MAX_STEP_RATIO
+    assert dop853.step_ratio(1e30) == dop853.MIN_STEP_RATIO
+    assert dop853.step_ratio(1.0) == pytest.approx(dop853.SAFETY)
 
 
 def test_a_first_step_is_accepted_and_not_timid() -> None:

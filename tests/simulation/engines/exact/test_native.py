@@ -29,7 +29,7 @@ from sim2reason.simulation.engines.exact.linear import (
     gradient,
 )
 from sim2reason.simulation.engines.exact.native import API, core
-from sim2reason.simulation.engines.exact.tape import PlainTape, Tape, value_of
+from sim2reason.simulation.engines.exact.tape import PlainTape, Tape, float_value
 from traced import RANDOM
 
 SUPPORT = Path(__file__).parents[3] / "support"
@@ -170,7 +170,7 @@ def eliminated_on(kind: type[Tape], matrix: list[list[float]]) -> str:
     equations = [[entry * t if 0.1 < abs(entry) < 1.0 else entry for entry in row] for row in matrix]
     solve = core.solve_symbols if kind is Tape and core is not None else eliminated_symbols
     found, free, pivots = solve(equations)
-    told = [[getattr(n, "id", n), value_of(n)] for n in [*found, *(n for _, f in free for n in f), *pivots]]
+    told = [[getattr(n, "id", n), float_value(n)] for n in [*found, *(n for _, f in free for n in f), *pivots]]
     return repr([tape.nodes, tape.constants, told, [column for column, _ in free]])
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sim2reason.simulation.engines.exact.glide import Approach, crossing, halt
+from sim2reason.simulation.engines.exact.glide import Approach, crossing, stopping_time
 from sim2reason.simulation.engines.exact.linear import solve
 from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 
@@ -81,8 +81,8 @@ def test_when_a_margin_is_used_up(margin: tuple[float, float, float], time: floa
 
 
 def test_when_a_speed_passes_zero() -> None:
-    assert halt(2.0, -4.0) == 0.5
-    assert halt(2.0, 4.0) == halt(0.0, -1.0) == halt(1.0, 0.0) == inf
+    assert stopping_time(2.0, -4.0) == 0.5
+    assert stopping_time(2.0, 4.0) == stopping_time(0.0, -1.0) == stopping_time(1.0, 0.0) == inf
 
 
 @settings(max_examples=300)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from sim2reason.scenes.dsl.vectors import Maths, Number
 from sim2reason.simulation.engines.exact import tape as module
-from sim2reason.simulation.engines.exact.tape import PlainSymbol, PlainTape, Symbol, Tape, value_of
+from sim2reason.simulation.engines.exact.tape import PlainSymbol, PlainTape, Symbol, Tape, float_value
 
 Formula = Callable[[list[Number], Maths], Number]
 TAPES = pytest.mark.parametrize("kind", [Tape, PlainTape])  # the native one, where it is compiled, and Python's
@@ -52,7 +52,7 @@ def test_code_values_and_plain_arithmetic_are_one(
     wanted = [formula(list(point), math) for formula in formulas]
     assert tape.code(outputs)(math)(point[0], point[1:]) == pytest.approx(wanted, rel=1e-12, abs=1e-12)
     tape.stand(point)
-    assert [value_of(out) for out in outputs] == pytest.approx(wanted, rel=1e-12, abs=1e-12)
+    assert [float_value(out) for out in outputs] == pytest.approx(wanted, rel=1e-12, abs=1e-12)
     arrays = tape.code(outputs)(np)(np.full(2, point[0]), [np.full(2, part) for part in point[1:]])
     for found, value in zip(arrays, wanted, strict=True):
         assert np.broadcast_to(found, 2) == pytest.approx(value, rel=1e-12, abs=1e-12)

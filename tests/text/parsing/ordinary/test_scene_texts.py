@@ -8,7 +8,7 @@ import sim2reason
 from sim2reason.errors import TextError
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.ordinary.content import forms
-from sim2reason.text.parsing.ordinary.equivalents import nearest, recast
+from sim2reason.text.parsing.ordinary.equivalents import find_nearest_form, recast_text
 from sim2reason.text.prose.description import describe
 
 G = "Take g = 9.8 m/s²."
@@ -147,16 +147,18 @@ def test_the_order_of_bodies_and_ways_matters() -> None:
     assert "to the right along the plane" in describe(parse_scene(text.format("right")).scene).text
     with pytest.raises(TextError, match="is not understood"):  # the library has positive speeds to the right only
         parse_scene(text.format("left"))
-    near = nearest("Slab A (2 kg) lies on top of slab B (3 kg), which lies on a smooth horizontal floor.")
+    near = find_nearest_form("Slab A (2 kg) lies on top of slab B (3 kg), which lies on a smooth horizontal floor.")
     assert near is None or "A (3 kg)" not in near
 
 
 def test_forms_say_what_the_library_says() -> None:
     """All forms differ, and a text is rephrased in the library's words."""
     assert len(forms()) == len({form.text for form in forms()})
-    told = next(recast(["The block is released from rest.", "A 3.0 kg block lies on a frictionless incline of 30°."]))
+    told = next(
+        recast_text(["The block is released from rest.", "A 3.0 kg block lies on a frictionless incline of 30°."])
+    )
     assert told.from_rest
-    assert re.fullmatch(r"A block .*3\.0 kg.* smooth.* plane inclined at 30° to the horizontal\.", told.said[0])
+    assert re.fullmatch(r"A block .*3\.0 kg.* smooth.* plane inclined at 30° to the horizontal\.", told.sentences[0])
 
 
 def test_the_public_function_reads_them() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.errors import TextError
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import understand_sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.ordinary.lexicon import extract_amounts
@@ -853,9 +853,9 @@ ANSWERS = {
 def test_answers_about_scenes_agree_with_closed_forms(text: str) -> None:
     question, wanted = ANSWERS[text]
     scene = parse_scene(text).scene
-    found = understood(question, simulate_scene(scene), words_of(describe(scene)))
+    found = understand_sentence(question, simulate_scene(scene), words_of(describe(scene)))
     assert found is not None
-    assert found.followed.answer == pytest.approx(wanted, rel=1e-6)
+    assert found.simulated_answer.answer == pytest.approx(wanted, rel=1e-6)
 
 
 OTHER_BODIES = [

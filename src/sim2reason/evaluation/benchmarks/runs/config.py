@@ -19,15 +19,15 @@ from sim2reason.evaluation.benchmarks import (
     MOST_SAMPLES,
     Benchmark,
     BenchmarkItem,
-    benchmark_from,
+    build_benchmark,
     data_hash,
-    items_of,
+    load_items,
 )
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
-from sim2reason.evaluation.policies import POLICIES, Policy, policy_from
+from sim2reason.evaluation.policies import POLICIES, Policy, build_policy
 from sim2reason.generation.request import SHAPING
 
-__all__ = ["BenchmarkPlan", "Evaluation", "PolicyPlan", "RunFolder", "RunRecord", "copy_answers", "evaluation_from"]
+__all__ = ["BenchmarkPlan", "Evaluation", "PolicyPlan", "RunFolder", "RunRecord", "build_evaluation", "copy_answers"]
 
 LARGEST = 2**63 - 1
 Settings = dict[str, Any]
@@ -79,7 +79,7 @@ class Evaluation:
         return benchmark.samples or self.samples
 
 
-def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", out: Path | None = None) -> Evaluation:
+def build_evaluation(config: "Path | str | Mapping[str, object] | Evaluation", out: Path | None = None) -> Evaluation:
     """Return the evaluation in a YAML file or in settings; `out` overrides the output folder.
 
     Relative paths refer to the current working directory.
@@ -97,7 +97,7 @@ def _evaluation(file: _File) -> Evaluation:
     return Evaluation(
         out=file.out,
         policies=tuple(_policy(each, f"policies[{n}]", file.sampling) for n, each in enumerate(file.policies)),
-        benchmarks=tuple(benchmark_from(each, f"benchmarks[{n}]") for n, each in enumerate(file.benchmarks)),
+        benchmarks=tuple(build_benchmark(each, f"benchmarks[{n}]") for n, each in enumerate(file.benchmarks)),
         seed=file.seed,
         samples=file.samples,
         judge=None if file.judge is None else _policy(file.judge, "judge", {}),
@@ -109,7 +109,7 @@ def _policy(settings: Settings, location: str, sampling: Settings) -> Policy:
     own = settings.get("sampling", {})
     if not isinstance(own, dict):
         raise EvaluationError(f"{location}.sampling: give settings, such as temperature: 1.0")
-    return policy_from({**settings, "sampling": {**sampling, **cast("Settings", own)}}, location)
+    return build_policy({**settings, "sampling": {**sampling, **cast("Settings", own)}}, location)
 
 
 RUN, PROBLEMS, SAMPLES, JUDGED, REPORT = "run.json", "problems", "samples", "judged", "report"
@@ -209,7 +209,7 @@ class RunFolder:
             ) from None
 
     @classmethod
-    def begun(cls, evaluation: Evaluation) -> "RunFolder":
+    def begin(cls, evaluation: Evaluation) -> "RunFolder":
         """Return the folder of an evaluation, new or continued; the caller holds its lock.
 
         A run without any answer is replaced.
@@ -224,7 +224,7 @@ class RunFolder:
         before = cls(out).record if (out / RUN).is_file() else None
         if before is None:
             evaluation.check()  # before problems are drawn, which may take minutes
-        items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
+        items = {each.name: _drawn_before(out, each) or load_items(each) for each in evaluation.benchmarks}
         for rule in sorted({item.scoring for problems in items.values() for item in problems}):
             SCORINGS[rule].check()
         record = _record(evaluation, items)

@@ -6,16 +6,16 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict
 
-from sim2reason.base.atomic_files import working_in
+from sim2reason.base.atomic_files import lock_work_folder
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation, RunFolder
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
-from sim2reason.evaluation.policies.journal import FinishedSample, SampleJournal, finished
-from sim2reason.evaluation.policies.samples import Asked, Budget, ask, requests_for, sample_seed
+from sim2reason.evaluation.policies.journal import FinishedSample, SampleJournal, read_finished
+from sim2reason.evaluation.policies.samples import Budget, RequestSummary, ask, requests_for, sample_seed
 
-__all__ = ["Ending", "SampleOutcome", "ending_of", "judged_id", "outcomes", "run", "total_samples"]
+__all__ = ["Ending", "SampleOutcome", "find_ending", "judged_id", "outcomes", "run", "total_samples"]
 
 Advance = Callable[[int], object]
 
@@ -37,14 +37,14 @@ def run(
 ) -> tuple[RunFolder, list[str]]:
     """Run an evaluation; return its folder, and the reasons for samples without an answer.
 
-    `begun` receives the number of samples, `advance` the numbers of newly finished ones.
+    `begin` receives the number of samples, `advance` the numbers of newly finished ones.
 
     Raises:
         EvaluationError: a benchmark, or a folder, that can't be used.
         PolicyError: a policy that can't be asked, or whose limit is reached; what was finished is kept.
     """
-    with working_in(evaluation.out):
-        folder = RunFolder.begun(evaluation)
+    with lock_work_folder(evaluation.out):
+        folder = RunFolder.begin(evaluation)
         begun(total_samples(evaluation, folder))
         left = [why for policy in evaluation.policies for why in _answers(evaluation, folder, policy, advance)]
         if evaluation.judge is not None:
@@ -67,7 +67,7 @@ def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advan
 
     PolicyError if no request was answered, however few there were.
     """
-    budget, results = Budget(policy), list[Asked]()
+    budget, results = Budget(policy), list[RequestSummary]()
     for path, requests in wanted:
         budget.charge_finished(path, requests)
     for path, requests in wanted:
@@ -97,7 +97,7 @@ def _judge(evaluation: Evaluation, folder: RunFolder, judge: Policy) -> list[str
 
 def _questions(evaluation: Evaluation, folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleRequest]:
     items: dict[str, BenchmarkItem] = {item.id: item for item in folder.items(benchmark)}
-    for finished_sample in finished(folder.samples(policy, benchmark)):
+    for finished_sample in read_finished(folder.samples(policy, benchmark)):
         item = items.get(finished_sample.id)
         if item is None:
             continue
@@ -142,7 +142,7 @@ class SampleOutcome(BaseModel):
     judged: bool = False
 
 
-def ending_of(completion: Completion, award: Award) -> Ending:
+def find_ending(completion: Completion, award: Award) -> Ending:
     """Return how a sample ended, such as correct or truncated: by its points, finish status and parsed answer."""
     if award.points > 0.0:
         return Ending.CORRECT if award.points >= 1.0 else Ending.PARTIAL
@@ -158,9 +158,10 @@ def outcomes(folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleO
     """Yield each finished sample of a policy on a benchmark with its score, up to the planned number of samples."""
     items = {item.id: item for item in folder.items(benchmark)}
     rulings = {
-        finished_sample.id: finished_sample.completion for finished_sample in finished(folder.judged(policy, benchmark))
+        finished_sample.id: finished_sample.completion
+        for finished_sample in read_finished(folder.judged(policy, benchmark))
     }
-    for finished_sample in finished(folder.samples(policy, benchmark)):
+    for finished_sample in read_finished(folder.samples(policy, benchmark)):
         if finished_sample.id in items and finished_sample.sample < folder.record.benchmarks[benchmark].samples:
             ruling = rulings.get(judged_id(finished_sample.id, finished_sample.sample))
             yield _outcome(policy, benchmark, items[finished_sample.id], finished_sample, ruling)
@@ -180,7 +181,7 @@ def _outcome(
         id=finished_sample.id,
         sample=finished_sample.sample,
         points=award.points,
-        ending=ending_of(completion, award),
+        ending=find_ending(completion, award),
         parsed=award.parsed[:500],
         why=award.why[:500],
         tokens=completion.completion_tokens,

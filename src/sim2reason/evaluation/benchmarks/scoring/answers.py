@@ -11,28 +11,28 @@ from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, fault_
 from sim2reason.grading.number import unit_stated
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Refused
-from sim2reason.grading.sides import flattened
-from sim2reason.grading.spelling import spelled
+from sim2reason.grading.sides import flatten
+from sim2reason.grading.spelling import normalize_spelling
 from sim2reason.grading.tokens import Token, tokenize
-from sim2reason.grading.units import unit_in
+from sim2reason.grading.units import parse_answer_unit
 from sim2reason.scenes.dsl.units import Unit, UnitError, parse_unit
 
 __all__ = [
     "after_thinking",
     "agrees",
-    "boxes",
     "chosen",
     "equal_expressions",
     "equivalent_equations",
-    "in_box",
+    "find_boxes",
+    "has_perfect_matching",
     "is_equation",
-    "name_of",
-    "paired",
     "parts",
     "read",
     "same_text",
     "unboxed_options",
     "unit_or_none",
+    "value_name",
+    "wrap_in_box",
 ]
 
 MAX_BOXES: Final = 64  # boxes examined, the last ones
@@ -50,7 +50,7 @@ def after_thinking(response: str) -> str:
         return ""
 
 
-def boxes(response: str) -> list[str]:
+def find_boxes(response: str) -> list[str]:
     """Return the contents of all outermost, visible, undenied boxes after the thinking, in order."""
     text = after_thinking(response)
     spans: list[tuple[int, int]] = []
@@ -62,7 +62,7 @@ def boxes(response: str) -> list[str]:
     return [answer for answer in contents if answer.strip() and len(answer) <= MAX_ANSWER]
 
 
-def in_box(answer: str) -> str:
+def wrap_in_box(answer: str) -> str:
     """Return a response that consists only of this answer in a box."""
     return rf"\boxed{{{answer}}}"
 
@@ -128,7 +128,7 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 
     `expected`, a reference value, determines the sign of a direction without one.
     """
-    score = number(in_box(content), expected, unit)
+    score = number(wrap_in_box(content), expected, unit)
     return (
         score.parsed if score.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(score.parsed, float) else None
     )
@@ -152,7 +152,7 @@ def unit_or_none(text: object) -> str | None:
     if not isinstance(text, str) or not text.strip(" $"):
         return None
     try:
-        return parse_unit(unit_in(text.strip(" $"), None).name).name
+        return parse_unit(parse_answer_unit(text.strip(" $"), None).name).name
     except UnitError:
         return None
 
@@ -177,7 +177,7 @@ def _squeezed(text: str) -> str:
     return upright[1] if upright else text
 
 
-def name_of(text: str) -> str:
+def value_name(text: str) -> str:
     """Return the name of the value in an answer, as in *v = …*; empty for a value alone and for an equation."""
     left, equals, _ = text.replace("$", "").partition("=")
     return left.replace("{", "").replace("}", "") if equals and _NAME.fullmatch(left.strip()) else ""
@@ -185,7 +185,7 @@ def name_of(text: str) -> str:
 
 def is_equation(text: str) -> bool:
     """Return whether an answer is an equation between symbols, not only a named value."""
-    return "=" in text and not name_of(text)
+    return "=" in text and not value_name(text)
 
 
 def equal_expressions(right: str, submitted: str) -> bool | None:
@@ -193,7 +193,7 @@ def equal_expressions(right: str, submitted: str) -> bool | None:
     if same_text(right, submitted):
         return True
     try:
-        score = formula(in_box(submitted), right.replace("$", ""))
+        score = formula(wrap_in_box(submitted), right.replace("$", ""))
     except FormulaError:
         return None
     if score.outcome in {Outcome.UNREADABLE, Outcome.NO_ANSWER, Outcome.TOO_LONG}:
@@ -226,7 +226,7 @@ def _difference(equation: str, symbols: frozenset[str] | None) -> tuple[Node, fr
     if not equals or "=" in right:
         return None
     try:
-        sides = [flattened(tokenize(spelled(side.strip()), symbols)) for side in (left, right)]
+        sides = [flatten(tokenize(normalize_spelling(side.strip()), symbols)) for side in (left, right)]
         nodes = [_whole(side) for side in sides]
     except (Refused, ValueError):
         return None
@@ -244,7 +244,7 @@ def _whole(tokens: Sequence[Token]) -> Node:
 T = TypeVar("T")
 
 
-def paired(right: Sequence[T], submitted: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
+def has_perfect_matching(right: Sequence[T], submitted: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
     """Return whether `right` and `submitted` can be matched one to one by `fits` (Kuhn's algorithm)."""
     if len(right) != len(submitted):
         return False

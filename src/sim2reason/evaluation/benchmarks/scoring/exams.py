@@ -9,19 +9,19 @@ from pydantic import JsonValue
 
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
 from sim2reason.evaluation.benchmarks.scoring.answers import (
-    boxes,
     chosen,
     equal_expressions,
     equivalent_equations,
-    in_box,
+    find_boxes,
+    has_perfect_matching,
     is_equation,
-    name_of,
-    paired,
     parts,
     read,
     same_text,
     unboxed_options,
     unit_or_none,
+    value_name,
+    wrap_in_box,
 )
 from sim2reason.grading import number
 
@@ -36,7 +36,7 @@ class HiPhO(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `parts`, each with `answer`, `unit` and `points`."""
         wanted = cast("list[Mapping[str, JsonValue]]", reference["parts"])
-        contents = boxes(response)[-len(wanted) :]
+        contents = find_boxes(response)[-len(wanted) :]
         if not contents:
             return Award.unreadable("there is no box")
         if len(contents) < len(wanted):
@@ -55,7 +55,7 @@ def _right(part: Mapping[str, JsonValue], submitted: str) -> bool:
         return bool(equivalent_equations(answer, submitted))
     value = read(answer, unit)
     if value is not None:
-        return number(in_box(submitted), value, unit, tolerance=TOLERANCE).reward == 1.0
+        return number(wrap_in_box(submitted), value, unit, tolerance=TOLERANCE).reward == 1.0
     return bool(equal_expressions(answer, submitted))
 
 
@@ -81,7 +81,7 @@ class JEEBench(Scoring):
 
 
 def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
-    contents = boxes(response)
+    contents = find_boxes(response)
     submitted = chosen(contents[-1]) if contents else unboxed_options(response)
     if submitted is None:
         return Award.unreadable("no options in the box" if contents else "no box and no answer in words")
@@ -96,8 +96,8 @@ def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
 
 
 def _number(response: str, answer: str, *, exact: bool) -> Award:
-    contents = boxes(response)
-    score = number(in_box(contents[-1]) if contents else response, float(answer), lenient=True)
+    contents = find_boxes(response)
+    score = number(wrap_in_box(contents[-1]) if contents else response, float(answer), lenient=True)
     if not isinstance(score.parsed, float):
         return Award.unreadable(score.why)
     # Decimals as they are written: in floats 0.76 is farther than 0.01 from 0.75.
@@ -120,7 +120,7 @@ _SIZE: Final = re.compile(r"\\(?:left|right)(?![A-Za-z])")
 _CUP: Final = re.compile(r"\\cup(?![A-Za-z])|∪")
 
 
-class _Expected(NamedTuple):
+class _ExpectedAnswer(NamedTuple):
     """One correct answer with its error and unit."""
 
     text: str
@@ -139,24 +139,24 @@ class OlympiadBench(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answer`, `unit` and `error`, as texts of the file."""
         right = expected_parts(reference)
-        contents = boxes(response)
+        contents = find_boxes(response)
         if not contents:
             return Award.unreadable("there is no box")
         submitted = _said(contents, len(right))
         shown = ", ".join(submitted)
         if len(submitted) != len(right):
             return Award(0.0, parsed=shown, why=f"{len(submitted)} answers where {len(right)} are asked")
-        good = paired(right, submitted, _fits)
+        good = has_perfect_matching(right, submitted, _is_equal)
         return Award.all_or_nothing(good, shown, "" if good else f"the answer is {reference['answer']}")
 
 
-def expected_parts(reference: Reference) -> list[_Expected]:
+def expected_parts(reference: Reference) -> list[_ExpectedAnswer]:
     """Return the correct answers, each with its own error and unit."""
     answers = _signs(parts(str(reference["answer"])))
     errors = _spread(reference.get("error"), len(answers))
     units = _spread(reference.get("unit"), len(answers))
     return [
-        _Expected(
+        _ExpectedAnswer(
             text,
             float(error) if error else None,
             unit_or_none(unit),
@@ -191,10 +191,10 @@ def _two(answer: str) -> tuple[str, ...]:
     return (text.replace(r"\pm", "+"), text.replace(r"\pm", "-")) if r"\pm" in text else (answer,)
 
 
-def _fits(right: _Expected, submitted: str) -> bool:
+def _is_equal(right: _ExpectedAnswer, submitted: str) -> bool:
     if same_text(right.text, submitted):
         return True
-    ours, theirs = name_of(right.text), name_of(submitted)
+    ours, theirs = value_name(right.text), value_name(submitted)
     if ours and theirs and not right.alone and not same_text(ours, theirs):
         return False
     one, other = (_CALLED.sub("", _SIZE.sub("", text)).strip() for text in (right.text, submitted))
@@ -206,7 +206,7 @@ def _fits(right: _Expected, submitted: str) -> bool:
     return _near(right, value, submitted) if value is not None else bool(equal_expressions(right.text, submitted))
 
 
-def _near(right: _Expected, value: float, submitted: str) -> bool:
+def _near(right: _ExpectedAnswer, value: float, submitted: str) -> bool:
     """Return whether a value is within the error; a fraction may replace a percentage."""
     submitted_value = read(submitted, right.unit, expected=value)
     if submitted_value is None:
@@ -229,7 +229,7 @@ def _pieces(text: str) -> list[str]:
     return [piece.strip() for piece in _CUP.split(text) if piece.strip()]
 
 
-def _intervals(one: str, other: str, right: _Expected) -> bool:
+def _intervals(one: str, other: str, right: _ExpectedAnswer) -> bool:
     """Return whether two intervals have the same brackets and equal ends."""
     ours, theirs = _pieces(one), _pieces(other)
     return len(ours) == len(theirs) and all(
@@ -238,8 +238,10 @@ def _intervals(one: str, other: str, right: _Expected) -> bool:
     )
 
 
-def _ends(ours: list[str], theirs: list[str], right: _Expected) -> bool:
-    return len(ours) == len(theirs) and all(_fits(right._replace(text=a), b) for a, b in zip(ours, theirs, strict=True))
+def _ends(ours: list[str], theirs: list[str], right: _ExpectedAnswer) -> bool:
+    return len(ours) == len(theirs) and all(
+        _is_equal(right._replace(text=a), b) for a, b in zip(ours, theirs, strict=True)
+    )
 
 
 SCORINGS.add("olympiadbench", OlympiadBench())

@@ -11,7 +11,7 @@ from multiprocessing.process import BaseProcess
 from threading import Lock
 from typing import Any, Generic, TypeVar
 
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import SPAWN_CONTEXT
 
 __all__ = ["Killable", "verified"]
 
@@ -46,8 +46,8 @@ class Killable(Generic[R]):
 
     def _started(self) -> "Connection[tuple[str, ...], R | None] | None":
         if self._pipe is None:
-            self._pipe, theirs = ALONE.Pipe()
-            self._process = ALONE.Process(target=_serve, args=(theirs, self._function), daemon=True)
+            self._pipe, theirs = SPAWN_CONTEXT.Pipe()
+            self._process = SPAWN_CONTEXT.Process(target=_serve, args=(theirs, self._function), daemon=True)
             self._process.start()
             theirs.close()  # now the process alone holds it: its death closes the pipe
             try:

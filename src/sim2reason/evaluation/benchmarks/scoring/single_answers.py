@@ -7,14 +7,14 @@ from sim2reason.base.records import cached_property
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
 from sim2reason.evaluation.benchmarks.scoring.answers import (
     agrees,
-    boxes,
     equal_expressions,
     equivalent_equations,
-    in_box,
+    find_boxes,
+    has_perfect_matching,
     is_equation,
-    paired,
     read,
     same_text,
+    wrap_in_box,
 )
 from sim2reason.evaluation.benchmarks.scoring.math_verify import Killable, verified
 from sim2reason.generation.item import Answer, grade_answer
@@ -43,14 +43,14 @@ class MathVerify(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answer`, a text in LaTeX."""
         self.check()
-        contents = boxes(response)
+        contents = find_boxes(response)
         if not contents:
             return Award.unreadable("there is no box")
         answer = str(reference["answer"])
         ours = _equal(answer, contents[-1])
         if ours is not None:
             return Award.all_or_nothing(ours, contents[-1], "" if ours else f"the answer is {answer}")
-        result = self._verified(in_box(answer), in_box(contents[-1]))
+        result = self._verified(wrap_in_box(answer), wrap_in_box(contents[-1]))
         if result is None:
             return Award.unreadable(f"math-verify gave no answer within {PATIENCE:g} s")
         readable, equal, _ = result
@@ -115,16 +115,16 @@ class Physics(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answers`, in any order."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
-        contents = boxes(response)[-len(right) :]
+        contents = find_boxes(response)[-len(right) :]
         if not contents:
             return Award.unreadable("there is no box")
-        good = paired(right, contents, _same)
+        good = has_perfect_matching(right, contents, _same)
         return Award.all_or_nothing(good, ", ".join(contents), "" if good else "not equal by the rule")
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
         """Return the boxes and the correct answers as a prompt; None without a box."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
-        contents = boxes(response)[-len(right) :]
+        contents = find_boxes(response)[-len(right) :]
         if not contents:
             return None
         submitted = "\n".join(answer.replace("<", "< ") for answer in contents)
@@ -132,7 +132,7 @@ class Physics(Scoring):
 
     def ruling(self, said: str) -> Award:
         """Return one point for yes, zero for no; anything else is unreadable."""
-        *_, last = ["", *boxes(said)]
+        *_, last = ["", *find_boxes(said)]
         word = last.strip().lower().removeprefix(r"\text{").rstrip("}. ")
         if word in {"yes", "no"}:
             return Award.all_or_nothing(word == "yes", word, "by the judge")

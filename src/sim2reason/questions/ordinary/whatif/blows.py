@@ -5,7 +5,7 @@ import re
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.kinds.period import PENDULUM
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
-from sim2reason.questions.ordinary.reading import Reader, Reading, Understood
+from sim2reason.questions.ordinary.reading import Reader, Reading, UnderstoodQuestion
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.structured import EQUILIBRIUM, START, StructuredQuestion
 from sim2reason.questions.words import Words
@@ -37,14 +37,16 @@ BLOW_PATTERNS = (
 )
 
 
-def of_blow(sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def read_blow_impulse(
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> UnderstoodQuestion | None:
     """Return the question for the impulse that sets a body at rest in motion, which is its initial momentum."""
     match = next(filter(None, (re.fullmatch(regex, sentence.text) for regex in BLOW_PATTERNS)), None)
     if match is None or words.released:
         return None
     groups = match.groupdict()
     tokens = {token for name in "stuv" if (token := groups.get(name) or "").startswith("@")}
-    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     phrase = (
         sentence.subject(next(iter(tokens))) if len(tokens) == 1 else next(iter(bodies)) if len(bodies) == 1 else ""
     )
@@ -126,19 +128,23 @@ PENDULUMS = (
     rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",
 )
 """Patterns of questions for the length of the simple pendulum whose small swings have the same period."""
-SMALL = 20.0  # degrees: largest amplitude of a small oscillation
+MAX_SMALL_AMPLITUDE = 20.0  # degrees: largest amplitude of a small oscillation
 
 
 def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
     """Return whether a body swings, and only through small angles."""
     reading = Reading(StructuredQuestion("greatest deflection"))
     meaning = reader.first_of([reading], motion, words)
-    return meaning is not None and (meaning.followed.answer or SMALL) < SMALL and "deg" in meaning.posed.unit(words)
+    return (
+        meaning is not None
+        and (meaning.simulated_answer.answer or MAX_SMALL_AMPLITUDE) < MAX_SMALL_AMPLITUDE
+        and "deg" in meaning.posed_question.unit(words)
+    )
 
 
-def of_small_oscillations(
+def read_small_oscillations(
     sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
     if any(re.fullmatch(regex, sentence.text) for regex in PENDULUMS):
         return _in_one_mode(PENDULUM, motion, words, reader)
@@ -149,8 +155,8 @@ def of_small_oscillations(
     return None
 
 
-def _in_one_mode(measure: str, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def _in_one_mode(measure: str, motion: FollowedMotion, words: Words, reader: Reader) -> UnderstoodQuestion | None:
     """Return the question for a measure of small oscillations if there is only one mode of them; else None."""
     meaning = reader.first_of([Reading(StructuredQuestion(measure, "", EQUILIBRIUM))], motion, words)
-    query = meaning.posed.query if meaning is not None else None
+    query = meaning.posed_question.query if meaning is not None else None
     return meaning if isinstance(query, PeriodQuery) and query.modes == 1 else None

@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from sim2reason.questions.ordinary.base_forms import with_base_forms
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
-from sim2reason.questions.ordinary.whatif.supposed_rows import DONE, MULTIPLES
+from sim2reason.questions.ordinary.whatif.supposed_rows import FACTORS_BY_PARTICIPLE, MULTIPLES
 
 RESTS, HOLDS, STAYS, SLIPS, RISES, SINKS, ROUND = "rests", "holds", "stays", "slips", "rises", "does not rise", "round"
 TAUT, SLACK, ESCAPES, BOUND, CIRCULAR, LIFTS = "taut", "slack", "escapes", "bound", "circular", "lifts off"
@@ -145,7 +145,9 @@ _CAUSING = (
 )
 
 
-_STEMS = {done.removesuffix("ed"): factor for done, factor in DONE.items() if " " not in done}  # *halv*, *doubl*
+_STEMS = {
+    done.removesuffix("ed"): factor for done, factor in FACTORS_BY_PARTICIPLE.items() if " " not in done
+}  # *halv*, *doubl*
 _AS_LARGE = (
     r" (?:as (?:large|great|big|high|long|strong|much|fast)|(?:its|their) (?:present|original|given|actual) value"
     r"|what it is"
@@ -166,7 +168,7 @@ def _factor(match: re.Match[str]) -> float:
     return next(value for regex, value in MULTIPLES.items() if re.fullmatch(regex, groups["mult"]))
 
 
-def conditions(text: str, subject: str, sentence: TokenizedSentence) -> Iterator[StatedCondition]:
+def read_conditions(text: str, subject: str, sentence: TokenizedSentence) -> Iterator[StatedCondition]:
     """Yield the conditions that a clause may state, as an outcome or as results; nothing if a word is left over."""
     statement = _statement(text, subject)
     outcome = _outcome(statement, sentence)
@@ -272,7 +274,7 @@ def _outcome(statement: str, sentence: TokenizedSentence) -> StatedCondition | N
         first = re.search(_S, before)
         who = first[0] if first is not None else subjects[0] if subjects else ""
         named = (
-            f"{ALL} {sentence.subject(both[1])} & {sentence.subject(both[2])}"
+            f"{ALL_WORD} {sentence.subject(both[1])} & {sentence.subject(both[2])}"
             if both is not None
             else sentence.subject(who or None)
         )

@@ -46,7 +46,7 @@ _LAUNCHED = (
     "|sent off|released|set going|pushed|set turning|set rolling|set rotating|shot|hit|sent|rolled|spun)"
 )
 _CONST = f"(?: (?:at start|initially|off|upwards|up {GROUNDS}|down {GROUNDS}))?"
-FRAMES = (
+NUMBER_FRAMES = (
     f"(?:for|with|at|from|by|on|under|in) (?:what|which) {_SIZE}{NUMBER} {_AUX} (?P<c>.+)",
     (
         f"(?:with )?(?:what|which) {_SIZE}{NUMBER} {_AUX} (?P<s>@\\d+@) (?:need|have|require)(?: to have| to be"
@@ -103,7 +103,7 @@ ADJECTIVES = {
     "long": "length",
 }
 SPEEDS = "(?:(?:with|at) what|how) SIZE(?:fast|(?:initial |launch |starting )?(?:speed|velocity))"
-OTHERS = (
+ADJECTIVE_FRAMES = (
     (f"how (?P<adj>{'|'.join(ADJECTIVES)}) {_AUX} (?P<s>@\\d+@) {_BE}{_BOUND} {_CONN} (?P<c>.+)", ""),
     (
         (
@@ -240,7 +240,7 @@ class WantedFrame(NamedTuple):
     grows: bool | None = None
 
 
-def framed(text: str, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
+def split_number_question(text: str, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
     """Yield each way to split a sentence into the number that it asks for and the condition on it."""
     subject = {f"@{index}@": phrase for index, phrase in enumerate(sentence.subjects)}
     bound = _BOUNDED.fullmatch(text)
@@ -248,15 +248,15 @@ def framed(text: str, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
         end = LEAST if "least" in (bound["early"] or bound["bound"]) else GREATEST
         yield from (
             frame._replace(end=end)
-            for frame in framed(f"{bound['head'] or ''}{bound['rest']}", sentence)
+            for frame in split_number_question(f"{bound['head'] or ''}{bound['rest']}", sentence)
             if frame.end in ("", end)
         )
         return
-    for template in FRAMES:
+    for template in NUMBER_FRAMES:
         match = _frame(template).fullmatch(text)
         if match is not None:
             yield _wanted(match, named_number(match, subject))
-    for template, kind in OTHERS:
+    for template, kind in ADJECTIVE_FRAMES:
         match = _frame(template).fullmatch(text)
         if match is not None:
             groups = match.groupdict()

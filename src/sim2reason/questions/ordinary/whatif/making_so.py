@@ -11,10 +11,10 @@ from sim2reason.errors import SceneError, SimulationError, TextError, Unsupporte
 from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, simulate_scene, simulate_until_answer
 from sim2reason.questions.inversion import values_giving
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.reading import Reader, Understood
-from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
-from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
+from sim2reason.questions.ordinary.reading import Reader, UnderstoodQuestion
+from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, read_conditions
+from sim2reason.questions.ordinary.whatif.frames import WantedFrame, split_number_question
 from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
     CIRCULAR_SPEED,
@@ -24,10 +24,10 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
     slips_nevertheless,
 )
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
-from sim2reason.questions.ordinary.whatif.understanding import of_all
-from sim2reason.questions.ordinary.whatif.wording import directed, plainer, told_direction, told_values
+from sim2reason.questions.ordinary.whatif.understanding import answer_for_all_subjects
+from sim2reason.questions.ordinary.whatif.wording import filter_by_hint, reword_plainly, told_direction, told_values
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, pose_question
-from sim2reason.questions.structured import StructuredQuestion, measured
+from sim2reason.questions.structured import StructuredQuestion, parse_amount
 from sim2reason.questions.study import COARSE_STEP_ERROR
 from sim2reason.questions.unknown import number_at, range_of, with_number
 from sim2reason.questions.variation import words_in
@@ -49,7 +49,7 @@ def with_weights(sentence: TokenizedSentence, scene: Scene, words: Words) -> Tok
     if match is None or _CHANGES.search(sentence.text) or scene.units.spell("N") != "N":
         return sentence
     token = re.search(r"@\d+@", match["own"] or match["of"] or "")
-    bodies = words.called(Bodies())
+    bodies = words.subject_phrases(Bodies())
     owner = sentence.subject(token[0]) if token is not None else next(iter(bodies.values())) if len(bodies) == 1 else ""
     name = next((name for name, phrase in bodies.items() if phrase == owner), "")
     if not name:
@@ -67,15 +67,20 @@ def _factor(multiple: str, sentence: TokenizedSentence) -> float:
 
 
 RESULT_RTOL = 1e-6  # relative: largest difference from the stated result
-TRIED = 6  # values of a number tried to see whether a question has an answer
-OWN = "mass", "speed", "angular speed", "charge"  # numbers of the subject, if the sentence does not name an owner
+TRIAL_VALUES = 6  # values of a number tried to see whether a question has an answer
+SUBJECT_NUMBERS = (
+    "mass",
+    "speed",
+    "angular speed",
+    "charge",
+)  # numbers of the subject, if the sentence does not name an owner
 MAX_READINGS = 4  # readings of a result for which numbers are sought
 _FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 
 
 def number_making_so(
     sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the meaning of a sentence that asks for a number by its effect; None if it is no such sentence.
 
     Raises:
@@ -85,22 +90,22 @@ def number_making_so(
         return None
     sentence = with_weights(sentence, motion.study.scene, words)
     direction = told_direction(sentence.text)
-    plain_sentence = replace(sentence, text=plainer(direction.text))
-    meanings: list[Understood] = []
-    for frame in directed(framed(plain_sentence.text, plain_sentence), direction, plain_sentence):
+    plain_sentence = replace(sentence, text=reword_plainly(direction.text))
+    meanings: list[UnderstoodQuestion] = []
+    for frame in filter_by_hint(split_number_question(plain_sentence.text, plain_sentence), direction, plain_sentence):
         alone = "@0@" if len(sentence.subjects) == 1 and "@" not in plain_sentence.text else ""
-        for condition in conditions(frame.condition, frame.subject or alone, plain_sentence):
+        for condition in read_conditions(frame.condition, frame.subject or alone, plain_sentence):
             meaning = _meant(frame, condition, plain_sentence, motion, words, reader)
             if meaning is not None and not (meaning.asked.find == CIRCULAR_SPEED and "direction" in sentence.text):
                 meanings.append(_checked(frame, meaning, motion))
         if meanings:
             break
-    answers = [each.followed.answer for each in meanings]
+    answers = [each.simulated_answer.answer for each in meanings]
     known = [answer for answer in answers if answer is not None]
     if any(not isclose(answer, known[0], rel_tol=RESULT_RTOL) for answer in known):
-        told_ways = dict.fromkeys(each.asked.told for each in meanings)
+        told_ways = dict.fromkeys(each.asked.text for each in meanings)
         raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
-    return next((each for each in meanings if each.followed.answer is not None), next(iter(meanings), None))
+    return next((each for each in meanings if each.simulated_answer.answer is not None), next(iter(meanings), None))
 
 
 def _meant(
@@ -110,19 +115,19 @@ def _meant(
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     number = frame.number
-    if not number.owners and number.kind in OWN and frame.subject:
+    if not number.owners and number.kind in SUBJECT_NUMBERS and frame.subject:
         number = number._replace(owners=(sentence.subject(frame.subject),))
     paths = paths_of(number, motion.study, words)
-    if not paths and not number.owners and number.kind in OWN and condition.subject:
+    if not paths and not number.owners and number.kind in SUBJECT_NUMBERS and condition.subject:
         paths = paths_of(number._replace(owners=(condition.subject,)), motion.study, words)
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
     meaning = _bringing_about(frame, condition, path, sentence, motion, words, reader)
     if meaning is not None and frame.compare == VALUE and frame.grows is not None:
         now = number_at(motion.study.scene, path) if path else 0.0
-        if meaning.followed.answer is None or (meaning.followed.answer > now) != frame.grows:
+        if meaning.simulated_answer.answer is None or (meaning.simulated_answer.answer > now) != frame.grows:
             raise TextError("question", "it is not so: the number changes the other way", "ask for the number itself")
     return meaning
 
@@ -135,7 +140,7 @@ def _bringing_about(
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the question for the number at an address that meets a condition; None if it has no meaning."""
     if condition.outcome:
         readings = list(by_outcome(frame, condition, path, motion, words))
@@ -156,10 +161,10 @@ def _by_result(
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the question for the number with which a question has the stated answer."""
     question_sentence = replace(sentence, text=condition.question)
-    meanings: list[Understood] = []
+    meanings: list[UnderstoodQuestion] = []
     for structured, unit in _askable(question_sentence, motion, words, reader):
         stated = _stated(condition, structured, unit, motion, words)
         given = f"{structured.find} = {stated}" + (f", {frame.end}" if frame.end else "")
@@ -173,7 +178,9 @@ def _by_result(
         if unknown is None or not _ever(question, motion):
             continue
         every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
-        values = _of_end(frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion))
+        values = _select_extreme(
+            frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion)
+        )
         variant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, question_sentence, variant, motion, words, reader)]
         leading = _with_taut_strings(leading, question, path, motion)
@@ -184,14 +191,14 @@ def _by_result(
             end = LEAST if leading[0] == every[0] else GREATEST if leading[0] == every[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
         if leading or not values:
-            meanings.append(Understood(wanted, question, question.followed(motion)))
-    answered = [each for each in meanings if each.followed.answer is not None]
-    if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
-        raise TextError("question", "it can be read in several ways", answered[0].asked.told)
+            meanings.append(UnderstoodQuestion(wanted, question, question.simulate_answer(motion)))
+    answered = [each for each in meanings if each.simulated_answer.answer is not None]
+    if len({f"{each.simulated_answer.answer:.6g}" for each in answered}) > 1:
+        raise TextError("question", "it can be read in several ways", answered[0].asked.text)
     return next(iter(answered or meanings), None)
 
 
-def _of_end(end: str, values: list[float]) -> list[float]:
+def _select_extreme(end: str, values: list[float]) -> list[float]:
     """Return only the least or greatest of values in ascending order if `end` names one of these; else all values."""
     return values if not end else values[:1] if end == LEAST else values[-1:]
 
@@ -225,7 +232,7 @@ def _stated(
     """Return the stated answer with its unit: a number, or a multiple of the answer in the scene as it is."""
     if not condition.factor:
         return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
-    answer = pose_question(structured, motion, words).followed(motion).answer
+    answer = pose_question(structured, motion, words).simulate_answer(motion).answer
     return f"{condition.factor * abs(answer):.15g} {unit}".strip() if answer else ""
 
 
@@ -237,7 +244,7 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
     values = range_of(scene, path)
     return any(
         isfinite(dependence(value) or 0.0) and dependence(value) is not None
-        for value in (number_at(scene, path), *values[:: len(values) // TRIED])
+        for value in (number_at(scene, path), *values[:: len(values) // TRIAL_VALUES])
     )
 
 
@@ -246,14 +253,14 @@ def _askable(
 ) -> Iterator[tuple[StructuredQuestion, str]]:
     """Yield the structured questions that a sentence may mean, with units; if the scene answers one, that one only."""
     try:
-        plain = of_all(reader, sentence, motion, words)
+        plain = answer_for_all_subjects(reader, sentence, motion, words)
     except TextError:
         plain = None
-    if plain is not None and plain.followed.reason.endswith(FOLLOWED_NO_LONGER):
-        raise TextError("question", plain.followed.reason, "ask about a stated stretch of time")
-    if plain is not None and plain.followed.answer is not None and plain.posed.unknown is None:
+    if plain is not None and plain.simulated_answer.reason.endswith(FOLLOWED_NO_LONGER):
+        raise TextError("question", plain.simulated_answer.reason, "ask about a stated stretch of time")
+    if plain is not None and plain.simulated_answer.answer is not None and plain.posed_question.unknown is None:
         if MINUS not in plain.asked.when:
-            yield plain.asked, plain.posed.unit(words)
+            yield plain.asked, plain.posed_question.unit(words)
         return
     candidates = [*reader.readings(sentence, motion, words), *reader.readings(_of_first(sentence), motion, words)]
     seen = dict.fromkeys(reading.asked for reading in candidates)
@@ -268,7 +275,7 @@ def _askable(
 
 def _of_first(sentence: TokenizedSentence) -> TokenizedSentence:
     """Return a question about the first of several bodies in place of all; the others are checked later."""
-    first = (subject.removeprefix(f"{ALL} ").partition(" & ")[0] for subject in sentence.subjects)
+    first = (subject.removeprefix(f"{ALL_WORD} ").partition(" & ")[0] for subject in sentence.subjects)
     return replace(sentence, subjects=tuple(first))
 
 
@@ -284,25 +291,27 @@ def _leads(
     """Return whether a question has the stated answer with a value of a number, and its presumptions hold."""
     try:
         there = with_number(motion.study.scene, path, value)
-        meaning = of_all(reader, sentence, simulate_scene(there), words_in(there, words))
+        meaning = answer_for_all_subjects(reader, sentence, simulate_scene(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
-    if meaning is None or meaning.followed.answer is None:
+    if meaning is None or meaning.simulated_answer.answer is None:
         return False
-    stated = measured("question", condition.stated, meaning.posed.unit(words))
-    return isclose(abs(meaning.followed.answer), abs(stated), rel_tol=RESULT_RTOL, abs_tol=1e-9)
+    stated = parse_amount("question", condition.stated, meaning.posed_question.unit(words))
+    return isclose(abs(meaning.simulated_answer.answer), abs(stated), rel_tol=RESULT_RTOL, abs_tol=1e-9)
 
 
-def _checked(frame: WantedFrame, meaning: Understood, motion: FollowedMotion) -> Understood:
+def _checked(frame: WantedFrame, meaning: UnderstoodQuestion, motion: FollowedMotion) -> UnderstoodQuestion:
     """Return a meaning with its answer in the form asked for; TextError if the number changes the other way."""
-    answer, path = meaning.followed.answer, meaning.asked.find
+    answer, path = meaning.simulated_answer.answer, meaning.asked.find
     if frame.compare == VALUE or answer is None:
         return meaning
-    question = meaning.posed
+    question = meaning.posed_question
     if question.compare != frame.compare:
         question = replace(question, compare=frame.compare)
-        meaning = Understood(replace(meaning.asked, compare=frame.compare), question, question.followed(motion))
-        answer = meaning.followed.answer
+        meaning = UnderstoodQuestion(
+            replace(meaning.asked, compare=frame.compare), question, question.simulate_answer(motion)
+        )
+        answer = meaning.simulated_answer.answer
     if answer is None:
         return meaning
     larger = answer > (1.0 if frame.compare == RATIO else 0.0)

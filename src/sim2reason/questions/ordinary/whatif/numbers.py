@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.hearing import ALL_WORD
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import derived_numbers, with_number
@@ -22,7 +22,7 @@ NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has
 NEVER_ZERO = "friction", "mass", "speed", "horizontal speed", "angular speed", "motion at start"
 MORE = 1.01  # factor on a number, to find its effects
-EXACT = 1e-9  # relative: largest difference of an initial speed from the given one
+INITIAL_SPEED_RTOL = 1e-9  # relative: largest difference of an initial speed from the given one
 
 
 class NumberKind(NamedTuple):
@@ -163,8 +163,8 @@ def paths_of(named: NamedNumber, study: SimulatedScene, words: Words) -> tuple[s
     """Return the addresses of a named number, one for each owner; none if the name is ambiguous."""
     owners = tuple(each for phrase in named.owners for each in _each(phrase))
     if named.kind == EVERY_MASS:
-        return tuple(path for path, _ in _of_kind("mass", study.scene))
-    every = list(_of_kind(named.kind, study.scene))
+        return tuple(path for path, _ in _numbers_of_kind("mass", study.scene))
+    every = list(_numbers_of_kind(named.kind, study.scene))
     if named.kind == "horizontal speed" and not is_zero("launch angle", study.scene):
         return ()
     if named.grounded and named.kind == "friction" and any(_is_carried(study, *number) for number in every):
@@ -181,14 +181,14 @@ def paths_of(named: NamedNumber, study: SimulatedScene, words: Words) -> tuple[s
 
 def is_zero(kind: str, scene: Scene) -> bool:
     """Return whether a scene has no nonzero number of a kind."""
-    return not any(value for _, value in _of_kind(kind, scene))
+    return not any(value for _, value in _numbers_of_kind(kind, scene))
 
 
 def _each(phrase: str) -> Sequence[str]:
-    return phrase.removeprefix(f"{ALL} ").split(" & ") if phrase.startswith(f"{ALL} ") else (phrase,)
+    return phrase.removeprefix(f"{ALL_WORD} ").split(" & ") if phrase.startswith(f"{ALL_WORD} ") else (phrase,)
 
 
-def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
+def _numbers_of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
     """Yield the addresses and values of a scene's numbers of a kind; of most kinds only nonzero ones."""
     kind = NUMBERS[name]
     parameters = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
@@ -223,10 +223,10 @@ def _belongs(path: str, value: float, owner: str, study: SimulatedScene, words: 
     mention = words.mentions.get(head, words.mentions.get(f"{head}.body"))
     if mention is not None and mention.split()[-1] != "start":
         return mention == owner
-    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     if path.endswith((".speed", ".spin")) and owner in bodies:
         speed = float(np.linalg.norm(Velocity.evaluate(study.trace.at(0.0), bodies[owner])[0]))
-        return path.endswith(".spin") or isclose(speed, value, rel_tol=EXACT)
+        return path.endswith(".spin") or isclose(speed, value, rel_tol=INITIAL_SPEED_RTOL)
     return count == 1
 
 
@@ -240,7 +240,7 @@ def _rubbing(
         alone = [path for path, _ in every if words.mentions.get(path.rpartition(".")[0]) in owners]
         return tuple(alone) if len(alone) == 1 else ()
     mechanism = study.mechanism
-    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     names = [bodies[phrase] for phrase in owners if phrase in bodies]
     rubs = {name for name, contact in mechanism.contacts.items() if contact.friction > 0.0}
     faces = {mechanism.body[name].parent or "" for name in rubs}
@@ -257,7 +257,7 @@ def _between(
     every: list[tuple[str, float]], owners: tuple[str, ...], study: SimulatedScene, words: Words
 ) -> tuple[str, ...]:
     """Return the address of the coefficient of friction between a body and its carrier; none if there is none."""
-    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     one, other = (bodies.get(phrase, "") for phrase in owners)
     mechanism = study.mechanism
     riders = [a for a, b in ((one, other), (other, one)) if a in mechanism.body and mechanism.body[a].parent == b]

@@ -8,10 +8,10 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.moments.occurrence import can_roll
-from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.hearing import ALL_WORD
 from sim2reason.questions.ordinary.moment_phrases import AFTER, addresses
-from sim2reason.questions.ordinary.reading import Reading, Understood
-from sim2reason.questions.ordinary.wanted import rubs, without_acceleration
+from sim2reason.questions.ordinary.reading import Reading, UnderstoodQuestion
+from sim2reason.questions.ordinary.wanted import lies_on_rough_face, without_acceleration
 from sim2reason.questions.ordinary.whatif.conditions import (
     BOUND,
     CIRCULAR,
@@ -41,8 +41,8 @@ from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.outcomes.strings import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, pose_question
 from sim2reason.questions.query import OWN_AXLE, OWN_PATH
-from sim2reason.questions.structured import START, StructuredQuestion, measured
-from sim2reason.questions.unknown import limits_of, number_at, with_number
+from sim2reason.questions.structured import START, StructuredQuestion, parse_amount
+from sim2reason.questions.unknown import find_limits, number_at, with_number
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
@@ -50,7 +50,7 @@ from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATO
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9
-SAME = 1e-6  # relative
+SAME_VALUE_RTOL = 1e-6  # relative
 
 
 def special_outcome(
@@ -60,7 +60,7 @@ def special_outcome(
 
     The number is at the address `path`, and `who` is the text's phrase for the body; it may be empty.
     """
-    outcome, bodies = condition.outcome, {phrase: name for name, phrase in words.called(Bodies()).items()}
+    outcome, bodies = condition.outcome, {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     friction = frame.number.kind == "friction"
     if outcome == GRIPS and friction and frame.end != GREATEST and not words.released:
         yield from friction_needed(path, who or next(iter(frame.number.owners), ""), motion, words, stopped=False)
@@ -71,7 +71,7 @@ def special_outcome(
     elif outcome == HALTED and path and who in bodies:
         yield Reading(StructuredQuestion(path, bodies[who], "collided", OWN_PATH, "velocity = 0 m/s"))
     elif outcome not in (GRIPS, SPINS, HALTED) and path and words.released and _is_at(condition, motion, words):
-        arms = {phrase: name for name, phrase in words.called(TurningBodies()).items()}
+        arms = {phrase: name for name, phrase in words.subject_phrases(TurningBodies()).items()}
         if who in arms:
             yield Reading(StructuredQuestion(path, arms[who], START, OWN_AXLE, "angular acceleration = 0 rad/s^2"))
 
@@ -82,10 +82,10 @@ def _is_at(condition: StatedCondition, motion: FollowedMotion, words: Words) -> 
         return True
     paths = paths_of(NamedNumber("swing angle"), motion.study, words)
     try:
-        stated = measured("question", condition.stated, "deg")
+        stated = parse_amount("question", condition.stated, "deg")
     except TextError:
         return False
-    return len(paths) == 1 and isclose(abs(number_at(motion.study.scene, paths[0])), stated, rel_tol=SAME)
+    return len(paths) == 1 and isclose(abs(number_at(motion.study.scene, paths[0])), stated, rel_tol=SAME_VALUE_RTOL)
 
 
 def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *, stopped: bool) -> Iterator[Reading]:
@@ -95,7 +95,7 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
     """
     if words.released if stopped else not words.released and not _rolling(words):
         return
-    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.subject_phrases(Bodies()).items()}
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
         return  # the scene has a coefficient, but not the one that is meant
@@ -105,19 +105,19 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
             return
         path = ""
     if of:
-        change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
+        change = f"{path} = {find_limits(motion.study.scene, path)[1]:g}" if path else ""
         slips = words.mechanism.contacts[of].friction < inf and can_roll(words, of) and not words.released
         when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
         question = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
         yield Reading(question, side=AFTER, steady=not change)
 
 
-def slips_nevertheless(meaning: Understood) -> bool:
+def slips_nevertheless(meaning: UnderstoodQuestion) -> bool:
     """Return whether a body slips even with the greatest coefficient of friction that a scene allows."""
-    if meaning.asked.find != NEEDED or meaning.posed.varied is None or meaning.followed.answer is None:
+    if meaning.asked.find != NEEDED or meaning.posed_question.varied is None or meaning.simulated_answer.answer is None:
         return False
-    _, most = meaning.posed.varied.values[0]
-    return meaning.followed.answer >= NEARLY * most
+    _, most = meaning.posed_question.varied.values[0]
+    return meaning.simulated_answer.answer >= NEARLY * most
 
 
 def _rolling(words: Words) -> bool:
@@ -125,9 +125,9 @@ def _rolling(words: Words) -> bool:
 
 
 CIRCULAR_SPEED = "circular speed"
-BEYOND = 1.0 + 1e-3  # factor on a threshold, to find the outcome beyond it
-MANY = 2  # directions of a body that does not move on a line
-STILL = 1e-6  # of g: smaller accelerations are zero
+BEYOND_THRESHOLD_FACTOR = 1.0 + 1e-3  # factor on a threshold, to find the outcome beyond it
+PLANE_DIRECTIONS = 2  # directions of a body that does not move on a line
+ZERO_ACCELERATION_RTOL = 1e-6  # of g: smaller accelerations are zero
 SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
@@ -152,7 +152,7 @@ def by_outcome(
     The number (the mass of B) is at the address `path`; it is empty if the scene has no such number, which only a
     needed coefficient of friction allows. The outcome (A stays at rest) is that of `condition`.
     """
-    who, outcome = condition.subject.removeprefix(f"{ALL} "), condition.outcome
+    who, outcome = condition.subject.removeprefix(f"{ALL_WORD} "), condition.outcome
     who = "" if " & " in who else who
     friction = frame.number.kind == "friction"
     outcome = _without_slipping(outcome, words, friction=friction, end=frame.end)
@@ -160,7 +160,7 @@ def by_outcome(
         of = who or next(iter(frame.number.owners), "")
         stopped = outcome == STAYS
         yield from friction_needed(path, of, motion, words, stopped=stopped) if frame.end != GREATEST else ()
-    elif path and outcome in (CLIMBS, DESCENDS) and rubs(words):
+    elif path and outcome in (CLIMBS, DESCENDS) and lies_on_rough_face(words):
         yield from _steadily(frame, condition, path, who, words)
     elif outcome in (GRIPS, SPINS, HALTED, TILTED):
         yield from special_outcome(frame, condition, path, who, motion, words)
@@ -180,7 +180,7 @@ def _without_slipping(outcome: str, words: Words, *, friction: bool, end: str) -
     """Return the outcome meant by *not slide down* or *stay at rest* if friction decides about it."""
     if outcome == SLIDES and friction:
         return HOLDS if words.released else STAYS
-    return HOLDS if outcome == RESTS and (friction or (end and rubs(words))) else outcome
+    return HOLDS if outcome == RESTS and (friction or (end and lies_on_rough_face(words))) else outcome
 
 
 def _steadily(frame: WantedFrame, condition: StatedCondition, path: str, who: str, words: Words) -> Iterator[Reading]:
@@ -208,7 +208,7 @@ def _thresholds(
 
 def _inclined(words: Words) -> Iterator[str]:
     """Yield the phrases of the bodies that lie on inclined faces and ride on no other body."""
-    for name, phrase in words.called(Bodies()).items():
+    for name, phrase in words.subject_phrases(Bodies()).items():
         if name in words.mechanism.contacts and name in Rises.candidates(words):
             yield phrase
 
@@ -218,26 +218,30 @@ def _as_rough_at_rest(words: Words) -> bool:
 
 
 def on_the_other_side(
-    meaning: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
+    meaning: UnderstoodQuestion, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
 ) -> bool:
     """Return whether the outcome occurs on the other side of the threshold than the question presumes."""
-    value, path = meaning.followed.answer, meaning.asked.find
+    value, path = meaning.simulated_answer.answer, meaning.asked.find
     if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not meaning.asked.given:
         return False
-    factor = BEYOND if frame.end == LEAST else 1.0 / BEYOND
+    factor = BEYOND_THRESHOLD_FACTOR if frame.end == LEAST else 1.0 / BEYOND_THRESHOLD_FACTOR
     there = simulate_scene(with_number(motion.study.scene, path, value * factor))
     shape = (
-        pose_question(StructuredQuestion("eccentricity", meaning.asked.of, START), there, words).followed(there).answer
+        pose_question(StructuredQuestion("eccentricity", meaning.asked.of, START), there, words)
+        .simulate_answer(there)
+        .answer
     )
     return shape is None or (shape > 1.0) != (condition.outcome == ESCAPES)
 
 
-def moves_nevertheless(meaning: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
+def moves_nevertheless(
+    meaning: UnderstoodQuestion, condition: StatedCondition, motion: FollowedMotion, words: Words
+) -> bool:
     """Return whether a condition fails with the number found.
 
     It fails if a body that is to stay at rest is accelerated, or one that is to move meanwhile is not.
     """
-    value, path = meaning.followed.answer, meaning.asked.find
+    value, path = meaning.simulated_answer.answer, meaning.asked.find
     if (
         condition.outcome != RESTS
         or not meaning.asked.given
@@ -246,17 +250,17 @@ def moves_nevertheless(meaning: Understood, condition: StatedCondition, motion: 
     ):
         return False
     study = simulate_scene(with_number(motion.study.scene, path, value)).study
-    start, subject_phrases = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
-    named = {name for name, phrase in words.called(Bodies()).items() if phrase in subject_phrases}
-    arms = any(phrase in subject_phrases for phrase in words.called(TurningBodies()).values())
+    start, subject_phrases = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL_WORD} ").split(" & ")
+    named = {name for name, phrase in words.subject_phrases(Bodies()).items() if phrase in subject_phrases}
+    arms = any(phrase in subject_phrases for phrase in words.subject_phrases(TurningBodies()).values())
     names = named or ({meaning.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
     largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
 
     def moves(name: str) -> bool:
-        return float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) > STILL * largest
+        return float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) > ZERO_ACCELERATION_RTOL * largest
 
-    moving_names = [name for name, phrase in words.called(Bodies()).items() if phrase in condition.moving]
-    return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, moving_names))
+    moving_names = [name for name, phrase in words.subject_phrases(Bodies()).items() if phrase in condition.moving]
+    return any(map(moves, names or words.subject_phrases(Bodies()))) or not all(map(moves, moving_names))
 
 
 def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
@@ -265,13 +269,15 @@ def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
     With friction, a whole range of numbers does, so that there are none but for a named body on a smooth face.
     """
     alone = addresses(words).get(who)
-    if rubs(words):
+    if lies_on_rough_face(words):
         contact = words.mechanism.contacts.get(alone or "")
         if contact is None or contact.friction > 0.0:
             return  # within a whole range of numbers
-    bodies = words.called(Bodies())
+    bodies = words.subject_phrases(Bodies())
     senses = Bodies().senses(words.mechanism, alone) if alone in words.mechanism.body else []
-    yield from without_acceleration(path, (alone,) if alone is not None and len(senses) < MANY else bodies, words)
+    yield from without_acceleration(
+        path, (alone,) if alone is not None and len(senses) < PLANE_DIRECTIONS else bodies, words
+    )
 
 
 def _orbits(who: str, words: Words) -> Iterator[str]:

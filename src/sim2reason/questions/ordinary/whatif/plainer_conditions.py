@@ -134,7 +134,7 @@ _MOST = "(?:at most|at greatest|no more than|not more than|up to|at maximum)"
 _GOES = "(?:go|move|rise|climb|accelerate|slide|descend|fall|sink|travel|be (?:pulled|drawn|hauled|accelerated))"
 _SQUEEZED = "(?:squeezed|compressed|pushed together|pressed together|shortened)"
 _STRETCHED = "(?:stretched|extended|pulled out|drawn out|lengthened)"
-CONDITIONS: Mapping[str, str] = {
+CONDITION_REWORDINGS: Mapping[str, str] = {
     rf"^(?:{_S} (?:would |could |can |will |to )?)?(?:be able to )?{_LIFTS} (?P<t>{_S}) {_UP}{_STEADY}$": (
         r"\g<t> move \g<way>\g<on> with constant speed"
     ),
@@ -241,6 +241,6 @@ def plainer_condition(condition: str) -> str:
         "",
         condition,
     )
-    for template, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
+    for template, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITION_REWORDINGS.items()):
         condition = compiled(template).sub(plain, condition)
     return condition

@@ -12,7 +12,7 @@ _N = r"(?P<n>#\d+#)"
 _ABOUT = r"(?:(?:exactly|just|only|about|at least|at most|no more than|up to) )?"
 _Q = "QUANTITY"
 _VERB = r"[a-z]+"
-RESULTS = (
+RESULT_STATEMENTS = (
     (
         (
             rf"(?P<what>(?:[a-z]+ )*?(?:{_S} 's |its )?(?:[a-z]+ )*?(?:{_Q}|period|amplitude|time of flight"
@@ -222,7 +222,7 @@ def asked_by(statement: str, sentence: TokenizedSentence) -> Iterator[tuple[str,
     for token in dict.fromkeys(tokens):
         number = sentence.number(token)
         unit = number.partition(" ")[2]
-        for template, question in (*RESULTS, *OF_UNITS.get(unit, ())):
+        for template, question in (*RESULT_STATEMENTS, *OF_UNITS.get(unit, ())):
             match = re.fullmatch(template.replace(_N, token).replace(_Q, pattern("QUANTITY").pattern), statement)
             if match is not None:
                 groups = {name: group or "" for name, group in match.groupdict().items()}

@@ -20,7 +20,7 @@ MULTIPLES: Mapping[str, float] = {
     "(?:one third|third of|third)": 1.0 / 3.0,
     "(?:one quarter|quarter of|quarter)": 0.25,
 }
-DONE: Mapping[str, float] = {
+FACTORS_BY_PARTICIPLE: Mapping[str, float] = {
     "doubled": 2.0,
     "halved": 0.5,
     "tripled": 3.0,
@@ -64,7 +64,7 @@ _PURELY = "(?:perfectly |completely |totally )"
 _THERE = rf"(?: ,)?(?: \(| where| with) ?,? ?g (?:= |is |of )?{_N}\)?"
 CLAUSES = (
     (rf"{NUMBER} {_W} {_MULT}{_LIKE}", "", TIMES),
-    (rf"{NUMBER} {_W} (?:all |both |each )?(?P<done>{'|'.join(DONE)})", "", TIMES),
+    (rf"{NUMBER} {_W} (?:all |both |each )?(?P<done>{'|'.join(FACTORS_BY_PARTICIPLE)})", "", TIMES),
     (rf"{NUMBER} {_W} (?:{_SET} )*{_N}{_INSTEAD}", "", VALUE),
     (rf"{NUMBER} {_W} (?:{_GROW}|{_SHRINK}) by {_N}{_PCT}", "", MORE),
     (rf"{NUMBER} {_W} {_N}{_PCT} (?:{_GROW}|{_SHRINK})", "", MORE),
@@ -89,7 +89,7 @@ CLAUSES = (
     (rf"(?P<s>{_S}) (?:weighed|had mass) (?:only )?{_N}{_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?{_N} (?:heavy|in mass){_INSTEAD}", "mass", VALUE),
     (rf"(?P<s>{_S}) {_W} (?:only )?{_N} long{_INSTEAD}", "length", VALUE),
-    (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(DONE)})", "charge", TIMES),
+    (rf"(?P<s>{_S}) {_W} (?P<done>{'|'.join(FACTORS_BY_PARTICIPLE)})", "charge", TIMES),
     # how a motion begins
     (
         rf"{_SENT} (?:at|with) (?:only )?(?:(?:initial )?{_SPEED} of |{_SPEED} )?{_N}{_LATER}{_INSTEAD}",
@@ -156,7 +156,7 @@ CLAUSES = (
     (
         (
             rf"(?:both|all|two|three|all three|both of)? ?masses(?: (?:of (?:both |all )?{_S}|both|all))? "
-            rf"{_W} (?P<done>{'|'.join(DONE)})"
+            rf"{_W} (?P<done>{'|'.join(FACTORS_BY_PARTICIPLE)})"
         ),
         EVERY_MASS,
         TIMES,

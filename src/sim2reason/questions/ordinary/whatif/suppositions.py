@@ -10,7 +10,7 @@ from sim2reason.questions.ordinary.whatif.numbers import NUMBER, NamedNumber, na
 from sim2reason.questions.ordinary.whatif.supposed_rows import (
     ADJUNCTS,
     CLAUSES,
-    DONE,
+    FACTORS_BY_PARTICIPLE,
     MULTIPLES,
     SWAPPED,
     TIMES,
@@ -25,7 +25,7 @@ class Supposition(NamedTuple):
     """A supposed change of a number or a body.
 
     `how` is one of the changes of `supposed_rows`. The number changes to a `value`, with the unit of the sentence, by a
-    `factor`, or by the value with a `sign`. A speed may be told with the `way`, *up* or *down*.
+    `factor`, or by the value with a `sign`. A speed may be told with the `direction`, *up* or *down*.
     """
 
     how: str
@@ -33,7 +33,7 @@ class Supposition(NamedTuple):
     value: str = ""
     factor: float = 1.0
     sign: int = 0
-    way: str = ""
+    direction: str = ""
 
 
 def suppositions(text: str, sentence: TokenizedSentence) -> tuple[Supposition, ...]:
@@ -76,7 +76,7 @@ def _first(text: str, sentence: TokenizedSentence, rows: Rows) -> tuple[Supposit
     return ()
 
 
-MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic": "1", "plastic": "0"}
+NUMBERS_BY_WORD = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic": "1", "plastic": "0"}
 """By the group of a row that matches, the value that its words mean."""
 
 
@@ -85,7 +85,7 @@ def _changed(
 ) -> Supposition:
     token = groups.get("n")
     value = sentence.number(token) if token else ""
-    value = next((implied_value for name, implied_value in MEANT.items() if groups.get(name)), value)
+    value = next((implied_value for name, implied_value in NUMBERS_BY_WORD.items() if groups.get(name)), value)
     sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
     if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
         return Supposition(TIMES, number, factor=1.0 + sign * float(value.partition(" ")[0].rstrip("%")) / 100.0)
@@ -95,7 +95,7 @@ def _changed(
 def _factor(groups: Mapping[str, str | None], sentence: TokenizedSentence) -> float:
     done, multiple = groups.get("done"), groups.get("mult")
     if done:
-        return DONE[done]
+        return FACTORS_BY_PARTICIPLE[done]
     if multiple and multiple.startswith("#"):
         return float(sentence.number(multiple.partition(" ")[0]).partition(" ")[0])
     return next((value for regex, value in MULTIPLES.items() if multiple and re.fullmatch(regex, multiple)), 1.0)

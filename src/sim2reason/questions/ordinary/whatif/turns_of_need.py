@@ -15,7 +15,7 @@ _CIRCLE = r"(?=.*\b(?:circle|circular)\b)"
 _SENT = "(?:sent off|launched|started|thrown|set moving|set off|projected|set in motion|released)"
 _BOUNCE = "(?:bounces?|lands?|rebounds?|hits?(?: ground)?|strikes?(?: ground)?|impacts?|landings?)"
 _LOADED = "(?:loaded onto|loaded on|added to|put on|put onto|placed on|placed onto|attached to|fixed to|piled on)"
-TURNS: Mapping[str, str] = {
+NEED_REWORDINGS: Mapping[str, str] = {
     r"^how [a-z]+ would [^,]+ (?:have to )?be , that is ,? (?=(?:with |for |at )?what )": "",
     rf"\b(?P<b>at (?:very )?least|at most) (?P<be>{_BE}) {_NEXT}": r"\g<be> \g<b> ",
     rf"\b(?P<v>have to (?:begin|start|be [a-z]+|pull|move|go)) at very least {_NEXT}": r"\g<v> at least ",

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.following import FollowedMotion, simulate_scene
-from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.reading import Reader, Understood
+from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
+from sim2reason.questions.ordinary.reading import Reader, UnderstoodQuestion
 from sim2reason.questions.posing import VALUE, pose_question
-from sim2reason.questions.structured import StructuredQuestion, measured
-from sim2reason.questions.variation import FIELDS, SceneChange, removable, words_in
+from sim2reason.questions.structured import StructuredQuestion, parse_amount
+from sim2reason.questions.variation import FIELDS, SceneChange, find_removable, words_in
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
@@ -33,7 +33,7 @@ def named_things(text: str, sentence: TokenizedSentence, words: Words) -> tuple[
 
     *string* alone means the only string, and *@0@ 's string* the only one that ends at a body.
     """
-    things = removable(words)
+    things = find_removable(words)
     lines = words.mechanism.lines
     owner = re.match(r"(@\d+@) 's ", text)
     if owner is not None:
@@ -52,13 +52,13 @@ def named_things(text: str, sentence: TokenizedSentence, words: Words) -> tuple[
 
 
 def _body(phrase: str, words: Words) -> str:
-    return next((name for name, mention in words.called(Bodies()).items() if mention == phrase), "")
+    return next((name for name, mention in words.subject_phrases(Bodies()).items() if mention == phrase), "")
 
 
 def time_of(stated: str, sentence: TokenizedSentence, words: Words) -> float | None:
     """Return the time, in the scene's unit, of a number token; None if it is not a time."""
     try:
-        return measured("question", sentence.number(stated), words.units.spell("s"))
+        return parse_amount("question", sentence.number(stated), words.units.spell("s"))
     except TextError:
         return None
 
@@ -71,19 +71,19 @@ def moment_of(
     if moving is not None:
         return _time_of_speed(moving, sentence, motion, words)
     meaning = reader.read(replace(sentence, text=f"how long is it until {clause}"), motion, words)
-    return meaning.followed.answer if meaning is not None and meaning.asked.find == "time" else None
+    return meaning.simulated_answer.answer if meaning is not None and meaning.asked.find == "time" else None
 
 
 def _time_of_speed(
     moving: re.Match[str], sentence: TokenizedSentence, motion: FollowedMotion, words: Words
 ) -> float | None:
     """Return the first time, s, at which a body has a stated speed; None if it then moves the other way."""
-    phrase = sentence.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
+    phrase = sentence.subject(moving["s"]).removeprefix(f"{ALL_WORD} ").partition(" & ")[0]
     body = _body(phrase, words)
     direction_words = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
     try:
         structured = StructuredQuestion("time", when=f"speed of {body} = {sentence.number(moving['n'])}")
-        followed = pose_question(structured, motion, words).followed(motion)
+        followed = pose_question(structured, motion, words).simulate_answer(motion)
     except TextError:
         return None
     if followed.answer is None:
@@ -161,7 +161,7 @@ class RemovedThings(NamedTuple):
 
 def after_removal_of_things(
     sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the meaning of a sentence such as *the string is cut after 2 s; how much farther does A slide*.
 
     None if the sentence is not understood so.
@@ -169,10 +169,12 @@ def after_removal_of_things(
     for removed in _removed(sentence, motion, words, reader):
         question_sentence = replace(sentence, text=removed.question)
         first = _after(removed.names, removed.times[0], question_sentence, motion, words, reader)
-        if first is None or (first.followed.answer is None and len(removed.times) > 1):
+        if first is None or (first.simulated_answer.answer is None and len(removed.times) > 1):
             continue
         others = (_after(removed.names, time, question_sentence, motion, words, reader) for time in removed.times[1:])
-        if all(each is not None and _agree(each.followed.answer, first.followed.answer) for each in others):
+        if all(
+            each is not None and _agree(each.simulated_answer.answer, first.simulated_answer.answer) for each in others
+        ):
             return first
     return None
 
@@ -188,7 +190,7 @@ def _after(
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the meaning of a question about the motion after objects are removed at a time, s."""
     varied = SceneChange(removed=names, after=time)
     try:
@@ -197,10 +199,10 @@ def _after(
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"nothing follows: {error}", "let it happen at another moment") from None
     meaning = reader.read(sentence, there, words_in(scene, words))
-    if meaning is None or meaning.posed.unknown is not None:
+    if meaning is None or meaning.posed_question.unknown is not None:
         return None
-    structured = replace(meaning.asked, change=varied.told, compare=VALUE)
-    return Understood(structured, replace(meaning.posed, varied=varied), meaning.followed)
+    structured = replace(meaning.asked, change=varied.text, compare=VALUE)
+    return UnderstoodQuestion(structured, replace(meaning.posed_question, varied=varied), meaning.simulated_answer)
 
 
 def _removed(

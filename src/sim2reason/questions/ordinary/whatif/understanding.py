@@ -9,14 +9,14 @@ from sim2reason.errors import SceneError, SimulationError, TextError, Unsupporte
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.moment_phrases import addresses
-from sim2reason.questions.ordinary.reading import Reader, Understood
+from sim2reason.questions.ordinary.reading import Reader, UnderstoodQuestion
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
 from sim2reason.questions.ordinary.whatif.suppositions import ChangedQuestion, Supposition, changed_questions
 from sim2reason.questions.posing import RATIO
 from sim2reason.questions.posing import VALUE as ITSELF
-from sim2reason.questions.structured import measured
-from sim2reason.questions.unknown import limits_of, number_at
+from sim2reason.questions.structured import parse_amount
+from sim2reason.questions.unknown import find_limits, number_at
 from sim2reason.questions.variation import SceneChange, units_of, words_in
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.scene import Scene
@@ -27,9 +27,9 @@ TINY = 1e-9  # the least value of a number that must not be zero, in place of ze
 ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
-def in_changed_scene(
+def understand_changed_scene(
     sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     """Return the meaning of a sentence as a question about a changed scene; None if it is no such question."""
     for changed_question in changed_questions(sentence.text, sentence):
         varied = _variation(changed_question, motion, words)
@@ -48,7 +48,7 @@ def _answered(
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
-) -> Understood | None:
+) -> UnderstoodQuestion | None:
     question_sentence = replace(sentence, text=changed_question.question)
     try:
         scene = varied.applied(motion.study.scene)
@@ -56,22 +56,26 @@ def _answered(
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
     compare = changed_question.compare
-    before = of_all(reader, question_sentence, motion, words) if compare != ITSELF else None
-    if compare != ITSELF and (before is None or not before.followed.answer):
+    before = answer_for_all_subjects(reader, question_sentence, motion, words) if compare != ITSELF else None
+    if compare != ITSELF and (before is None or not before.simulated_answer.answer):
         return None
-    after = of_all(reader, question_sentence, there, words_in(scene, words))
-    if after is None or after.posed.unknown is not None:
+    after = answer_for_all_subjects(reader, question_sentence, there, words_in(scene, words))
+    if after is None or after.posed_question.unknown is not None:
         return None
-    question = replace(after.posed, varied=varied, compare=compare)
-    structured = replace(after.asked, change=varied.told, compare=compare)
-    if compare == ITSELF or after.followed.answer is None:
-        return Understood(structured, question, after.followed)
+    question = replace(after.posed_question, varied=varied, compare=compare)
+    structured = replace(after.asked, change=varied.text, compare=compare)
+    if compare == ITSELF or after.simulated_answer.answer is None:
+        return UnderstoodQuestion(structured, question, after.simulated_answer)
     if before is None or before.asked != after.asked:
         return None
-    return Understood(structured, question, _compared(changed_question, before.followed, after.followed))
+    return UnderstoodQuestion(
+        structured, question, _compared(changed_question, before.simulated_answer, after.simulated_answer)
+    )
 
 
-def of_all(reader: Reader, sentence: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def answer_for_all_subjects(
+    reader: Reader, sentence: TokenizedSentence, motion: FollowedMotion, words: Words
+) -> UnderstoodQuestion | None:
     """Return the meaning of a question; without a subject, the common answer for all moving bodies."""
     meaning = reader.read(_with_only_subject(sentence, words), motion, words)
     asks = re.match(
@@ -80,13 +84,15 @@ def of_all(reader: Reader, sentence: TokenizedSentence, motion: FollowedMotion, 
     )
     if meaning is not None or asks is None or "@" in sentence.text:
         return meaning
-    bodies = tuple(words.called(Bodies()).values())
+    bodies = tuple(words.subject_phrases(Bodies()).values())
     rest = sentence.text[asks.end() :].removeprefix(" of system").removeprefix(" of blocks").removeprefix(" of bodies")
     variants = (
         replace(sentence, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies))
     )
     every = [reader.read(each, motion, words) for each in variants]
-    answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
+    answers = [
+        each.simulated_answer.answer for each in every if each is not None and each.simulated_answer.answer is not None
+    ]
     alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=ANSWER_RTOL) for a in answers)
     return every[0] if alike and every else None
 
@@ -96,7 +102,7 @@ def _with_only_subject(sentence: TokenizedSentence, words: Words) -> TokenizedSe
     asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", sentence.text)
     if asks is None:
         return sentence
-    alone = tuple(words.called(TurningBodies() if asks["turns"] else Bodies()).values())
+    alone = tuple(words.subject_phrases(TurningBodies() if asks["turns"] else Bodies()).values())
     alone = sentence.subjects if len(sentence.subjects) == 1 and sentence.subjects[0] in alone else alone
     return replace(sentence, text=f"{sentence.text} of @0@", subjects=alone) if len(alone) == 1 else sentence
 
@@ -136,7 +142,7 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
     if supposed.how == NONE:
         return _vanishing(supposed.number, motion, words)
     paths = paths_of(supposed.number, motion.study, words)
-    if supposed.way and not _goes(supposed, motion, words):
+    if supposed.direction and not _goes(supposed, motion, words):
         return {}
     if supposed.how == SWAPPED:
         return (
@@ -151,9 +157,9 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
 
 def _goes(supposed: Supposition, motion: FollowedMotion, words: Words) -> bool:
     """Return whether a body starts in the stated direction, *up* or *down*."""
-    names = [name for name, phrase in words.called(Bodies()).items() if phrase in supposed.number.owners]
+    names = [name for name, phrase in words.subject_phrases(Bodies()).items() if phrase in supposed.number.owners]
     rising = float(Velocity.evaluate(motion.study.trace.at(0.0), names[0])[0, 2]) if len(names) == 1 else 0.0
-    return rising > 0.0 if supposed.way == "up" else rising < 0.0
+    return rising > 0.0 if supposed.direction == "up" else rising < 0.0
 
 
 def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
@@ -164,7 +170,7 @@ def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
     if " " not in supposed.value and not bare and unit:
         return None  # a number without a unit
     try:
-        value = measured("question", supposed.value, unit)
+        value = parse_amount("question", supposed.value, unit)
     except TextError:
         return None
     return now + supposed.sign * value if supposed.how == MORE else value
@@ -175,7 +181,7 @@ def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Map
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)
-        return {path: smallest for path in paths if (smallest := max(0.0, limits_of(scene, path)[0])) <= TINY}
+        return {path: smallest for path in paths if (smallest := max(0.0, find_limits(scene, path)[0])) <= TINY}
     friction_paths = [
         path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")
     ]

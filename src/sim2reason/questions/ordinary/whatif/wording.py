@@ -10,7 +10,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, compiled
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
 from sim2reason.questions.ordinary.whatif.turns_of_limits import LIMIT_TURNS
-from sim2reason.questions.ordinary.whatif.turns_of_need import TURNS
+from sim2reason.questions.ordinary.whatif.turns_of_need import NEED_REWORDINGS
 from sim2reason.questions.unknown import number_at
 
 _NOUNS = "|".join(kind.nouns for kind in NUMBERS.values())
@@ -57,7 +57,7 @@ _FOR = "(?=for |so that |to |if |in order |before )"
 _ADJECTIVES = {"heav(?:y|ier)|massive": "mass", "light(?:er)?": "mass", "stiff(?:er)?": "stiffness",
                "fast(?:er)?|slower": "speed", "steep(?:er)?": "slope"}  # fmt: skip
 _GOES = "(?:be (?:(?:moving|thrown|launched|started|set off|sent off|projected) )?|start (?:off )?|move |go |travel )"
-PLAINER: Mapping[str, str] = {
+PLAINER_WORDINGS: Mapping[str, str] = {
     rf"\bvalue of (?=(?:@\d+@ 's )?(?:{_NOUNS})\b)": "",
     r"^(?:what|how large) (?P<s>@\d+@) (?=(?:would|must|does) (?P=s) (?:need|have|require)\b)": "what charge ",
     r"(?P<s>@\d+@) 's (?P=s)(?= (?:have|need|be))": r"charge of \g<s>",
@@ -126,8 +126,10 @@ PLAINER: Mapping[str, str] = {
     r" (?:as soon as|when) (?:@\d+@|it|engine) is (?:lit|ignited|started|switched on)$": " at once",
 }
 """By the pattern of a part of a question without articles, plainer words with the same meaning."""
-MULTIPLE = rf"how many times (?:as|so) (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
-COMPARED = rf"(?:by )?how much (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
+MULTIPLE_QUESTION = (
+    rf"how many times (?:as|so) (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
+)
+COMPARISON_QUESTION = rf"(?:by )?how much (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d+@) {_HAVE}{_GOES}{_FOR}"
 _DECREASING = frozenset({"lighter", "slower"})
 
 
@@ -138,12 +140,12 @@ def _compared(match: re.Match[str]) -> str:
     return f"{head} must {noun} of {match['s']} be {'smaller' if match['how'] in _DECREASING else 'greater'} "
 
 
-def plainer(text: str) -> str:
+def reword_plainly(text: str) -> str:
     """Return a question for a number of the scene in plainer words."""
     question = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
-    for told, plain in (*LIMIT_TURNS.items(), *TURNS.items(), *PLAINER.items()):
+    for told, plain in (*LIMIT_TURNS.items(), *NEED_REWORDINGS.items(), *PLAINER_WORDINGS.items()):
         question = compiled(told).sub(plain, question)
-    question = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, question))
+    question = re.sub(COMPARISON_QUESTION, _compared, re.sub(MULTIPLE_QUESTION, _compared, question))
     bound = re.match("(LEAST|GREATEST) ", question)
     question = question.removeprefix("LEAST ").removeprefix("GREATEST ")
     if bound is not None and "BOUND" not in question:
@@ -282,7 +284,9 @@ def _of_value(text: str) -> ToldDirection | None:
     return ToldDirection(f"what would {match['n']}{of} have to be {text[match.end() :]}", grows=grows)
 
 
-def directed(frames: Iterable[WantedFrame], told: ToldDirection, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
+def filter_by_hint(
+    frames: Iterable[WantedFrame], told: ToldDirection, sentence: TokenizedSentence
+) -> Iterator[WantedFrame]:
     """Yield the parsed questions whose number a hint such as *heavier* concerns, with the direction it implies."""
     for frame in frames:
         owners = frame.number.owners or ((sentence.subject(frame.subject),) if frame.subject else ())

@@ -24,13 +24,13 @@ from sim2reason.scenes.dsl.vectors import (
     Point,
     Tensor,
     Triple,
-    applied,
+    add_triples,
+    apply_tensor,
     cross,
     distance,
     dot,
-    minus,
-    plus,
-    times,
+    scale_triple,
+    subtract_triples,
 )
 from sim2reason.simulation.engines.exact.lengths import (
     ORIGIN,
@@ -38,9 +38,9 @@ from sim2reason.simulation.engines.exact.lengths import (
     RowTerms,
     Separation,
     SwitchState,
-    merge,
+    add_gradient,
     point_row,
-    projected,
+    project_gradient,
 )
 
 Numbers = list[Number]
@@ -86,7 +86,7 @@ class Assembly:
         """Add the mass matrix Σ m JᵀJ + Jᵀ I J, the inertial loads and the weight of one body."""
         frame, point, mass = self.frames[name], self.frames.center(name), self.masses[name]
         if not (type(mass) is float and mass == 0.0):
-            weight = plus(times(mass, self.mechanism.gravity), times(-mass, point.bias))
+            weight = add_triples(scale_triple(mass, self.mechanism.gravity), scale_triple(-mass, point.bias))
             self._push(point, weight)
             entries = list(point.gradient.items())
             for index, (i, axis) in enumerate(entries):
@@ -108,11 +108,11 @@ class Assembly:
     def _spinning(self, frame: BodyFrame, inertia: Tensor) -> None:
         """Add the rotational inertia Jᵀ I J and loads −Jᵀ(I α + ω × Iω), in the body's axes, where I is constant."""
         turning = frame.turning
-        own = [(number, frame.unturned(axis)) for number, axis in turning.gradient.items()]
-        spin, bias = frame.unturned(turning.velocity), frame.unturned(turning.bias)
-        torque = plus(applied(inertia, bias), cross(spin, applied(inertia, spin)))
+        own = [(number, frame.to_body_axes(axis)) for number, axis in turning.gradient.items()]
+        spin, bias = frame.to_body_axes(turning.velocity), frame.to_body_axes(turning.bias)
+        torque = add_triples(apply_tensor(inertia, bias), cross(spin, apply_tensor(inertia, spin)))
         for index, (i, axis) in enumerate(own):
-            moment = applied(inertia, axis)
+            moment = apply_tensor(inertia, axis)
             for j, other in own[: index + 1]:
                 self.mass[i][j] = self.mass[i][j] + dot(moment, other)
             self.force[i] = self.force[i] - dot(axis, torque)
@@ -142,17 +142,17 @@ class Assembly:
                 self._field(force)
         for pair in mechanism.attractions:
             one, other = self.frames.center(pair.a), self.frames.center(pair.b)
-            offset = minus(other.place, one.place)
+            offset = subtract_triples(other.place, one.place)
             square = dot(offset, offset)
             distance = self.maths.sqrt(square)
             strength = pair.constant * self.masses[pair.a] * self.masses[pair.b]
-            pull = times(strength / (distance * _power(distance, square, pair.power)), offset)
+            pull = scale_triple(strength / (distance * _power(distance, square, pair.power)), offset)
             self._push(one, pull)
-            self._push(other, times(-1.0, pull))
+            self._push(other, scale_triple(-1.0, pull))
         for burn, burning in zip(mechanism.burns, self.phase.burning, strict=True):
             if burning:
                 thrust = self.frames[burn.body].turned(burn.direction)
-                self._push(self.frames.center(burn.body), times(burn.rate * burn.exhaust, thrust))
+                self._push(self.frames.center(burn.body), scale_triple(burn.rate * burn.exhaust, thrust))
 
     def _pull(self, line: Line) -> None:
         length = self.length(line)
@@ -193,8 +193,8 @@ class Assembly:
             value = value + run.value
             if run.along or run.lift:
                 rate, bias = rate + run.rate, bias + run.bias
-                merge(along, run.along)
-                merge(lift, run.lift)
+                add_gradient(along, run.along)
+                add_gradient(lift, run.lift)
         return PathLength(value, rate, bias, along, lift)
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
@@ -202,7 +202,7 @@ class Assembly:
         row_terms = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
-            down = times(-1.0, foot.normal)
+            down = scale_triple(-1.0, foot.normal)
             gap = dot(foot.normal, point.place) - foot.height
             row_terms.append(point_row(point, down, gap))
             row_terms.append(point_row(point, foot.along, gap))
@@ -235,10 +235,13 @@ class Assembly:
             run = distance(one, other, self.maths)
             return Separation(run.value - meeting.distance, run.rate, run.bias, run.along, run.lift)
         normal = meeting.normal
-        offset = minus(other.place, one.place)
-        parting = minus(other.velocity, one.velocity)
-        bias = minus(other.bias, one.bias)
-        along, lift = projected(one.gradient, other.gradient, normal), projected(one.lift, other.lift, normal)
+        offset = subtract_triples(other.place, one.place)
+        parting = subtract_triples(other.velocity, one.velocity)
+        bias = subtract_triples(other.bias, one.bias)
+        along, lift = (
+            project_gradient(one.gradient, other.gradient, normal),
+            project_gradient(one.lift, other.lift, normal),
+        )
         gap = dot(normal, offset) - meeting.distance
         return Separation(gap, dot(normal, parting), dot(normal, bias), along, lift)
 

@@ -6,7 +6,7 @@ from math import nan
 from sim2reason.simulation.engines.exact.contact_modes import (
     NoForcesError,
     count_resting_as_acting,
-    linked,
+    follow_leaders,
     scales,
     search,
 )
@@ -119,7 +119,7 @@ class Balance:
 
 
 @dataclass(slots=True)
-class Demand:
+class ContactDemand:
     """The constraints that may act: indices of tight rows, given directions of slip, and the preceding contact mode."""
 
     tight: list[int]
@@ -128,7 +128,7 @@ class Demand:
     kinds: list[RowKind]
 
 
-def balance(system: System, instant: Instant, demand: Demand) -> Balance:
+def balance(system: System, instant: Instant, demand: ContactDemand) -> Balance:
     """Compute the forces and accelerations of an instant; raise NoForcesError if no consistent forces exist."""
     tight, kinds = demand.tight, demand.kinds
     new_index = {number: new for new, number in enumerate(tight)}
@@ -174,7 +174,7 @@ def _kept(problem: Problem, solution: Solution, before: ContactMode, small: floa
     for number, side in enumerate(solution.mode.rubbing):
         if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(solution.x)) <= small:
             rubbing[number] = 0
-    return linked(problem, ContactMode(tuple(acting), tuple(rubbing)))
+    return follow_leaders(problem, ContactMode(tuple(acting), tuple(rubbing)))
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
@@ -211,7 +211,7 @@ def _unheld(instant: Instant, problem: Problem, solution: Solution, forces: Forc
 
 def _spread(
     system: System,
-    demand: Demand,
+    demand: ContactDemand,
     solution: Solution,
     kept: ContactMode,
     forces: Forces,

@@ -13,11 +13,11 @@ from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.linear import (
     ContactMode,
     Forces,
+    LinearSolution,
     Problem,
     RoughContact,
     Row,
     Solution,
-    Solved,
     dot,
     solve,
     total,
@@ -81,7 +81,7 @@ def search(problem: Problem, guess: ContactMode) -> Solution:
 
 def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solution | None:
     attempted: set[ContactMode] = set()
-    mode = linked(problem, guess)
+    mode = follow_leaders(problem, guess)
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
         if solution.consistent and solution.obeys and not lenient:
@@ -90,7 +90,7 @@ def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solutio
         if solution.consistent and not flips.count():
             return solution
         attempted.add(mode)
-        candidates = (linked(problem, each.apply(mode)) for each in (flips, *flips.each()))
+        candidates = (follow_leaders(problem, each.apply(mode)) for each in (flips, *flips.each()))
         fresh = next((candidate for candidate in candidates if candidate not in attempted), None)
         if fresh is None:
             break
@@ -98,7 +98,7 @@ def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solutio
     return _exhausted(problem, attempted, lenient=lenient)
 
 
-def linked(problem: Problem, mode: ContactMode) -> ContactMode:
+def follow_leaders(problem: Problem, mode: ContactMode) -> ContactMode:
     """Return the mode with two-sided rows acting, and each row that follows another acting if the other does."""
     if not any(problem.held):
         return mode
@@ -119,7 +119,7 @@ def _exhausted(problem: Problem, attempted: set[ContactMode], *, lenient: bool) 
         return None
     for choice in product(*choices):
         acting, rubbing = choice[: len(problem.rows)], choice[len(problem.rows) :]
-        mode = linked(problem, ContactMode(tuple(map(bool, acting)), tuple(rubbing)))
+        mode = follow_leaders(problem, ContactMode(tuple(map(bool, acting)), tuple(rubbing)))
         if mode in attempted:
             continue
         solution = evaluate(problem, mode)
@@ -160,11 +160,13 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
 
 
-def _solved(problem: Problem, mode: ContactMode, active: list[int], faint: float) -> tuple[Solved, Forces, bool | None]:
+def _solved(
+    problem: Problem, mode: ContactMode, active: list[int], faint: float
+) -> tuple[LinearSolution, Forces, bool | None]:
     """Return the solution of a mode's equations, its forces, and whether these obey the mode; None if not checked."""
     if core is not None:
         x, nulls, consistent, forces, obeys = core.evaluate_mode(problem, mode.acting, mode.rubbing, faint)
-        return Solved(x, nulls, consistent), Forces(*forces), obeys
+        return LinearSolution(x, nulls, consistent), Forces(*forces), obeys
     found, n = solve(_system(problem, mode, active, faint)), len(problem.force)
     acting = _spread(found.x[n:], active, len(mode.acting))
     return found, _forces(problem, mode, found.x[:n], acting, 1.0), None
@@ -285,5 +287,5 @@ def count_resting_as_acting(problem: Problem, solution: Solution) -> Solution:
         side if problem.sliding[number] or abs(grip.slip.rate(solution.x)) > small_x else 0
         for number, (grip, side) in enumerate(zip(problem.grips, solution.mode.rubbing, strict=True))
     )
-    mode = linked(problem, ContactMode(acting, rubbing))
+    mode = follow_leaders(problem, ContactMode(acting, rubbing))
     return solution if mode == solution.mode else evaluate(problem, mode)

@@ -11,8 +11,10 @@ from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.dop853 import Rate, Values
 from sim2reason.simulation.engines.exact.margins import Formulas
 
-ARMED = 1e-9  # value that an event function must exceed after starting at zero before its return to zero is an event
-DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
+ARMING_MARGIN = (
+    1e-9  # value that an event function must exceed after starting at zero before its return to zero is an event
+)
+MARGIN_DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
 TANGENTS = 12  # pairs of tangents used to locate a minimum
 EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
 SLOPE_STEP = 1e-6  # fraction of a step: width of the finite difference for a slope
@@ -31,17 +33,20 @@ class Crossing(NamedTuple):
     room: float = 0.0
 
 
-class Watch:
+class MarginWatch:
     """The state of a mode's event functions: which were ever positive, and how far the others may be negative."""
 
     def __init__(self, start: Sequence[float]) -> None:
         """Store the event functions at the start of a mode; one that starts at zero must first become positive."""
-        self._armed = [margin > ARMED for margin in start]
-        self._room = [ARMED - margin if -DRIFT < margin < 0.0 else ARMED if margin >= 0.0 else 0.0 for margin in start]
+        self._armed = [margin > ARMING_MARGIN for margin in start]
+        self._room = [
+            ARMING_MARGIN - margin if -MARGIN_DRIFT < margin < 0.0 else ARMING_MARGIN if margin >= 0.0 else 0.0
+            for margin in start
+        ]
 
     def passed(self, after: Sequence[float]) -> None:
         """Record which event functions are positive at the end of a step without an event."""
-        self._armed = [was or margin > ARMED for was, margin in zip(self._armed, after, strict=True)]
+        self._armed = [was or margin > ARMING_MARGIN for was, margin in zip(self._armed, after, strict=True)]
 
     def crossings(
         self, ends: Sequence[Sequence[float]], margins: Callable[[float], Sequence[float]]
@@ -76,7 +81,7 @@ class Watch:
                 return Crossing(last, x)
             if not armed and value < -room:
                 return Crossing(last, x, room)
-            armed, last = armed or value > ARMED, x
+            armed, last = armed or value > ARMING_MARGIN, x
         return None
 
 
@@ -126,7 +131,7 @@ def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
     for _ in range(HALVES):
         x *= 0.5
         value = margin(x)
-        if value > ARMED:
+        if value > ARMING_MARGIN:
             return [(x, value)]
     return []
 

@@ -40,7 +40,7 @@ def advance(rate: Rate, time: float, values: Values, first: Values, h: float, to
     return Advance(new, stages, abs(h) * fifth / sqrt((fifth + 0.01 * third) * len(values)))
 
 
-def factor(error: float) -> float:
+def step_ratio(error: float) -> float:
     """Return the ratio of the next step size to this one, given the error relative to the tolerance."""
     return (
         MAX_STEP_RATIO if error == 0.0 else min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / ORDER)))

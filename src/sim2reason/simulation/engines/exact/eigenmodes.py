@@ -16,7 +16,7 @@ from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
 from sim2reason.simulation.engines.exact.eigenpairs import REST_SPEED, SOUND, DampedModes, find_damped_modes
 
-TURNED = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
+IMAGINARY_RTOL = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
 ZERO_EIGENVALUE_RTOL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
 SHARE = 8  # subdivisions of the fastest period
 HALVINGS = 30  # largest number of times that an interval is halved
@@ -147,7 +147,7 @@ def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | 
     largest = float(np.abs(eigenvalues).max())
     if (
         not largest
-        or np.abs(np.imag(eigenvalues)).max() > TURNED * largest
+        or np.abs(np.imag(eigenvalues)).max() > IMAGINARY_RTOL * largest
         or squares.min() < -ZERO_EIGENVALUE_RTOL * largest
     ):
         return None
@@ -158,7 +158,7 @@ def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | 
     return Modes(time, here[:n], ways, kept, force, speed)
 
 
-def stretch(
+def solve_interval(
     modes: Modes | DampedModes, span: float, left: Array, slopes: Array, shortest: float
 ) -> LinearInterval | None:
     """Return the longest interval within `span`, s, without an event; None if it would be below `shortest`, s.

@@ -7,9 +7,9 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, halt
+from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, stopping_time
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
-from sim2reason.simulation.engines.exact.motion import BEGINS, STOPS, TIE, Motion
+from sim2reason.simulation.engines.exact.motion import BEGINS, SIMULTANEITY_TOL, STOPS, Motion
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
@@ -196,5 +196,11 @@ class _Run(Settling):
     def _note_turns(self, found: Balance, span: float) -> None:
         """Record the instants within `span` at which the rate of a frictionless coordinate passes through zero."""
         for number, (speed, a) in enumerate(zip(self.v, found.a, strict=True)):
-            if speed * a < 0.0 and TIE < halt(speed, a) < span - TIE and number not in self._rough:
-                self.event_log.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)
+            if (
+                speed * a < 0.0
+                and SIMULTANEITY_TOL < stopping_time(speed, a) < span - SIMULTANEITY_TOL
+                and number not in self._rough
+            ):
+                self.event_log.record(
+                    self.now + stopping_time(speed, a), "turn", self.mechanism.coordinates[number].name
+                )

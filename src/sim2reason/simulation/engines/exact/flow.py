@@ -13,12 +13,18 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.crossings import (
     Crossing,
     FlowStep,
+    MarginWatch,
     StepTable,
-    Watch,
     bracketed_root,
     motion_scale,
 )
-from sim2reason.simulation.engines.exact.eigenmodes import LinearInterval, find_modes, pieces, stretch, turning_times
+from sim2reason.simulation.engines.exact.eigenmodes import (
+    LinearInterval,
+    find_modes,
+    pieces,
+    solve_interval,
+    turning_times,
+)
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.lengths import SwitchState
 from sim2reason.simulation.engines.exact.margins import StopReason
@@ -27,7 +33,7 @@ from sim2reason.simulation.engines.exact.system import Instant
 ABSOLUTE = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
 MIN_STEP = 1e-13  # fraction of the duration: a smaller step indicates a singularity
 OFF = 1e-6  # m; larger violation of an acting constraint is an error
-TIE = 1e-10  # fraction of the duration: events closer than this are simultaneous
+SIMULTANEITY_RTOL = 1e-10  # fraction of the duration: events closer than this are simultaneous
 POLISHES = 4  # corrections of an event time by an integrator step
 STEPS_BEFORE_ESTIMATE = 200  # steps after which the number of remaining steps is first estimated
 EIGENMODE_STEP_THRESHOLD = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead
@@ -57,7 +63,7 @@ class Flow:
         self.stretches: list[
             LinearInterval
         ] = []  # between steps, where the motion is linear and steps would be too many
-        self._watch = Watch(())
+        self._watch = MarginWatch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
 
     @property
@@ -109,7 +115,7 @@ class Flow:
         first = rate(self.time, self.values)
         self._tolerance = ABSOLUTE * self._relative * motion_scale(rate, self.time, self.values, first), self._relative
         before = self.formulas.margins(self.time, self.values)
-        self._watch = Watch(before)
+        self._watch = MarginWatch(before)
         length = dop853.first_step(rate, self.time, self.values, first, self._tolerance)
         while self.time < end:
             length = min(length, end - self.time)
@@ -122,18 +128,18 @@ class Flow:
                 length *= 0.1
                 continue
             if not trial.error <= 1.0:
-                length *= min(0.5, dop853.factor(trial.error)) if isfinite(trial.error) else 0.1
+                length *= min(0.5, dop853.step_ratio(trial.error)) if isfinite(trial.error) else 0.1
                 continue
             step = FlowStep(self.formulas, self.time, length, self.values, trial)
             after = self.formulas.margins(step.time + length, trial.values)
-            due = self._due(step, before, after, TIE * longest)
+            due = self._due(step, before, after, SIMULTANEITY_RTOL * longest)
             if due is not None:
                 return due
             self._keep(step)
             self._check_held()
             first, before = trial.stages[-1], after
             self._watch.passed(after)
-            length *= dop853.factor(trial.error)
+            length *= dop853.step_ratio(trial.error)
             if len(self.steps) % STEPS_BEFORE_ESTIMATE == 0 and self._leap(end, (end - self.time) / length):
                 first, before = rate(self.time, self.values), self.formulas.margins(self.time, self.values)
                 self._watch.passed(before)
@@ -179,7 +185,7 @@ class Flow:
         if modes is None:
             return False
         left = np.array(self.formulas.margins(time, values))
-        linear_stretch = stretch(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
+        linear_stretch = solve_interval(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
         if linear_stretch is None or linear_stretch.time + linear_stretch.length < self.time:
             return False
         self._equations.system.budget.spend(PIECE * self._equations.system.size * pieces(modes, linear_stretch.length))

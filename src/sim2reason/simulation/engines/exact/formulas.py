@@ -10,15 +10,15 @@ from itertools import chain
 from math import inf
 
 from sim2reason.scenes.dsl.frames import Frames
-from sim2reason.scenes.dsl.structure import straight
-from sim2reason.scenes.dsl.vectors import Number, dot, minus
+from sim2reason.scenes.dsl.structure import constant_direction
+from sim2reason.scenes.dsl.vectors import Number, dot, subtract_triples
 from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowTerms, SwitchState
 from sim2reason.simulation.engines.exact.linear import ContactMode, FreeForces, Row, Unknowns, solve_symbolic
 from sim2reason.simulation.engines.exact.margins import Formulas, Margin
 from sim2reason.simulation.engines.exact.system import Instant, System
-from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
+from sim2reason.simulation.engines.exact.tape import Symbol, Tape, float_value
 
 ZERO_MARGIN_CHANGE = 1e-9  # a smaller change of an event function counts as zero
 COINCIDENCE_DISTANCE = 1e-9  # m; the ends of a straight line segment that are closer coincide
@@ -91,7 +91,7 @@ class _Recorded:
         patterns = [self._patterns(mode, spare) for spare in unknowns.free]
         parts = {margin: [pattern.get(margin, 0.0) for pattern in patterns] for margin, _ in watched}
         open_ended = {
-            m for m, changes in parts.items() if any(abs(value_of(part)) > ZERO_MARGIN_CHANGE for part in changes)
+            m for m, changes in parts.items() if any(abs(float_value(part)) > ZERO_MARGIN_CHANGE for part in changes)
         }
         braced = [(margin, number) for margin, number in watched if margin in open_ended]
         watched = [(margin, number) for margin, number in watched if margin not in open_ended]
@@ -199,7 +199,7 @@ class _Recorded:
             if not self._keeps(mode, first, last):
                 margins.append((Margin("reach", number), self._distance(first, last)))
         for number, limit in enumerate(system.limits):
-            margins.append((Margin("limit", number), limit.room + limit.sign * self.q[limit.coordinate]))
+            margins.append((Margin("limit", number), limit.initial_travel + limit.sign * self.q[limit.coordinate]))
         for number, burning in enumerate(self.phase.burning):
             if burning:
                 margins.append((Margin("burn", number), system.mechanism.burns[number].until - self.time))
@@ -258,16 +258,18 @@ class _Recorded:
         for index, (margin, _) in enumerate(watched):
             if (
                 margin.kind == "reach"
-                and straight(self.system.mechanism, self.system.frames, *runs[margin.number]) is None
+                and constant_direction(self.system.mechanism, self.system.frames, *runs[margin.number]) is None
             ):
                 one, other = (frames.site(name) for name in runs[margin.number])
-                passing[index] = dot(minus(other.place, one.place), minus(other.velocity, one.velocity))
+                passing[index] = dot(
+                    subtract_triples(other.place, one.place), subtract_triples(other.velocity, one.velocity)
+                )
         return passing
 
     def _distance(self, first: str, last: str) -> Number:
         """Return the distance of two sites, m; negative after they have passed through each other on a line."""
         one, other = self.assembly.frames.site(first).place, self.assembly.frames.site(last).place
-        direction = straight(self.system.mechanism, self.system.frames, first, last)
+        direction = constant_direction(self.system.mechanism, self.system.frames, first, last)
         total: Number = 0.0
         for number, (a, b) in enumerate(zip(one, other, strict=True)):
             difference = b - a

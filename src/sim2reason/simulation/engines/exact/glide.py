@@ -9,13 +9,13 @@ from math import hypot, inf, sqrt
 import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible
-from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, minus, relative
+from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, relative, subtract_triples
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.lengths import SwitchState
 from sim2reason.simulation.engines.exact.linear import Gradient, Row
 from sim2reason.simulation.engines.exact.margins import Margin, StopReason
-from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
+from sim2reason.simulation.engines.exact.system import CONTACT_DISTANCE, Instant, PairState, System
 
 REST_RATE = 1e-9  # m/s, rad/s or m/s²; slower motion counts as rest
 ROUNDING = 1e-12  # threshold of round-off
@@ -24,10 +24,10 @@ ROUNDING = 1e-12  # threshold of round-off
 def crossing(c: float, b: float, a: float) -> float:
     """Return the first time at which the event function c + bτ + aτ²/2 reaches zero, in s, or infinity.
 
-    A margin within `TOUCHING` of zero counts as zero: its event is due at once if it decreases, else when it
+    A margin within `CONTACT_DISTANCE` of zero counts as zero: its event is due at once if it decreases, else when it
     returns. Roots are computed in the form without cancellation.
     """
-    if c <= TOUCHING:
+    if c <= CONTACT_DISTANCE:
         if b < -REST_RATE or (b <= REST_RATE and a < -REST_RATE):
             return 0.0
         return -2.0 * b / a if b > REST_RATE and a < -ROUNDING else inf
@@ -37,7 +37,7 @@ def crossing(c: float, b: float, a: float) -> float:
     return 2.0 * c / (sqrt(square) - b) if b < 0.0 else (b + sqrt(square)) / -a
 
 
-def halt(speed: float, acceleration: float) -> float:
+def stopping_time(speed: float, acceleration: float) -> float:
     """Return the time at which a speed passes through zero, s, or infinity; a coordinate at rest does not stop."""
     return -speed / acceleration if speed * acceleration < 0.0 else inf
 
@@ -74,12 +74,12 @@ class Approach:
     @property
     def touching(self) -> bool:
         """Return whether the gap is closed."""
-        return self.gap <= TOUCHING
+        return self.gap <= CONTACT_DISTANCE
 
     def hit(self) -> float:
         """Return the time until the gap next closes, s, or infinity."""
         resting = self.touching and abs(self.rate) <= REST_RATE
-        if self._straight():
+        if self._is_straight():
             r = hypot(*self.apart)
             pull = inner(self.apart, self.acceleration) / r
             return inf if resting else crossing(self.gap, self.rate, pull)
@@ -87,7 +87,7 @@ class Approach:
             return 0.0
         return _first_root(self._polynomial(), 2 if resting else int(self.touching))
 
-    def _straight(self) -> bool:
+    def _is_straight(self) -> bool:
         r = hypot(*self.apart)
         return all(
             inner(w, w) - (inner(self.apart, w) / r) ** 2 <= ROUNDING**2 * (1.0 + inner(w, w))
@@ -139,7 +139,7 @@ def _polished(coefficients: Row, root: float) -> float:
 
 
 Steps = tuple[tuple[int, Vector], ...]  # (index of a coordinate or face, direction)
-TIE = 1e-11  # s; events closer than this are simultaneous
+SIMULTANEITY_TOL = 1e-11  # s; events closer than this are simultaneous
 
 
 @dataclass(slots=True)
@@ -167,7 +167,7 @@ class _Pair:
         if normal is None:
             return near.hit()
         gap, rate = inner(normal, near.apart) - near.distance, inner(normal, near.velocity)
-        resting = gap <= TOUCHING and abs(rate) <= REST_RATE
+        resting = gap <= CONTACT_DISTANCE and abs(rate) <= REST_RATE
         return inf if resting else crossing(gap, rate, inner(normal, near.acceleration))
 
 
@@ -200,11 +200,11 @@ class ConstantEquations:
     def _pair(self, meeting: CollisionPair) -> _Pair:
         other = self.system.frames.center(meeting.b)
         if meeting.a is None:
-            return _Pair(meeting, _plain(other.place), _steps({}, other.gradient), _steps({}, other.lift))
+            return _Pair(meeting, _python_floats(other.place), _steps({}, other.gradient), _steps({}, other.lift))
         one = self.system.frames.center(meeting.a)
-        offset = minus(other.place, one.place)
+        offset = subtract_triples(other.place, one.place)
         slides, lifts = _steps(one.gradient, other.gradient), _steps(one.lift, other.lift)
-        return _Pair(meeting, _plain(offset), slides, lifts)
+        return _Pair(meeting, _python_floats(offset), slides, lifts)
 
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the equations at one instant, constant except for distances to events and rows of stuck pairs."""
@@ -213,7 +213,7 @@ class ConstantEquations:
             spare.append(room - row.rate(q) - reel * time)
             rates.append(row.rate(v) + reel)
         slips = [grip.slip.rate(v) for grip in self.system.grips]
-        pairs = tuple(map(self._near, self._pairs, phase.stuck, repeat(q), repeat(v)))
+        pairs = tuple(map(self._pair_state, self._pairs, phase.stuck, repeat(q), repeat(v)))
         rows, targets = self._rows, self._targets
         for near, stuck in zip(pairs, phase.stuck, strict=True):
             if stuck:
@@ -223,7 +223,7 @@ class ConstantEquations:
         return Instant(time, q, v, self._loads, rows, spare, rates, targets, slips, pairs)
 
     @staticmethod
-    def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
+    def _pair_state(pair: _Pair, stuck: bool, q: Row, v: Row) -> PairState:  # noqa: FBT001 - one of several in a map
         """Return the gap of a collision pair with its rates, and with its gradient if the bodies touch or stick."""
         meeting, offset, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
         if meeting.normal is None:
@@ -234,10 +234,12 @@ class ConstantEquations:
         else:
             direction, bias = meeting.normal, 0.0
             gap, rate = inner(direction, offset) - meeting.distance, inner(direction, velocity)
-        if not stuck and gap > TOUCHING:
-            return Near(meeting, gap, rate, bias, {}, {})
+        if not stuck and gap > CONTACT_DISTANCE:
+            return PairState(meeting, gap, rate, bias, {}, {})
         along = {number: inner(axis, direction) for number, axis in pair.slides}
-        return Near(meeting, gap, rate, bias, along, {number: inner(axis, direction) for number, axis in pair.lifts})
+        return PairState(
+            meeting, gap, rate, bias, along, {number: inner(axis, direction) for number, axis in pair.lifts}
+        )
 
     # ---- the next event
 
@@ -247,9 +249,10 @@ class ConstantEquations:
         soonest = min((time for time, _ in due), default=inf)
         if soonest >= duration:
             return StopReason(
-                duration, tuple(m for time, m in due if time <= duration + TIE and m.kind in ("reach", "limit"))
+                duration,
+                tuple(m for time, m in due if time <= duration + SIMULTANEITY_TOL and m.kind in ("reach", "limit")),
             )
-        return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
+        return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + SIMULTANEITY_TOL))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
         """Return the times, s, at which constraints tighten, sliding stops or pairs collide, with event functions."""
@@ -257,12 +260,12 @@ class ConstantEquations:
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
                 spare, rate = instant.spare[number], -instant.rates[number]
-                if spare > TOUCHING or abs(rate) > REST_RATE:
+                if spare > CONTACT_DISTANCE or abs(rate) > REST_RATE:
                     time = crossing(spare, rate, -instant.rows[number].rate(found.a))
                     due.append((time, Margin("spare", number)))
         for number, grip in enumerate(self.system.grips):
             if found.mode.rubbing[number]:
-                due.append((halt(instant.slips[number], grip.slip.rate(found.a)), Margin("slip", number)))
+                due.append((stopping_time(instant.slips[number], grip.slip.rate(found.a)), Margin("slip", number)))
         for number, pair in enumerate(self._pairs):
             due.append((pair.hit(instant.q, instant.v, found.a), Margin("gap", number)))
         return due
@@ -275,7 +278,7 @@ class ConstantEquations:
             due.append((time, Margin("reach", number)))
         for number, limit in enumerate(self.system.limits):
             k, sign = limit.coordinate, limit.sign
-            time = crossing(limit.room + sign * instant.q[k], sign * instant.v[k], sign * found.a[k])
+            time = crossing(limit.initial_travel + sign * instant.q[k], sign * instant.v[k], sign * found.a[k])
             due.append((time, Margin("limit", number)))
         return due
 
@@ -286,9 +289,9 @@ def _sparse(along: Mapping[int, Number]) -> Gradient:
 
 
 def _steps(one: Mapping[int, Triple], other: Mapping[int, Triple]) -> Steps:
-    return tuple((number, _plain(axis)) for number, axis in relative(one, other).items())
+    return tuple((number, _python_floats(axis)) for number, axis in relative(one, other).items())
 
 
-def _plain(vector: Triple) -> Vector:
+def _python_floats(vector: Triple) -> Vector:
     """Return the vector with Python floats, as NumPy scalars are slow."""
     return (float(vector[0]), float(vector[1]), float(vector[2]))

@@ -75,7 +75,7 @@ def row_kinds(mechanism: Mechanism, phase: SwitchState) -> list[RowKind]:
     return kinds
 
 
-def projected(one: Gradient, other: Gradient, direction: Triple) -> dict[int, Number]:
+def project_gradient(one: Gradient, other: Gradient, direction: Triple) -> dict[int, Number]:
     """Return the gradient of the relative motion of the second point to the first along `direction`, by coordinate."""
     return {i: dot(direction, axis) for i, axis in relative(one, other).items()}
 
@@ -87,7 +87,7 @@ def point_row(point: Point, direction: Triple, gap: Number) -> RowTerms:
     return RowTerms(along, lift, gap, dot(direction, point.velocity), -dot(direction, point.bias))
 
 
-def merge(total: dict[int, Number], more: Mapping[int, Number]) -> None:
+def add_gradient(total: dict[int, Number], more: Mapping[int, Number]) -> None:
     """Add the entries of one gradient to those of another."""
     for i, part in more.items():
         total[i] = total[i] + part if i in total else part

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.native import core
-from sim2reason.simulation.engines.exact.tape import value_of
+from sim2reason.simulation.engines.exact.tape import float_value
 from sim2reason.simulation.trace import Budget
 
 Row = list[float]
@@ -17,7 +17,7 @@ NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts 
 
 
 @dataclass(slots=True)
-class Solved:
+class LinearSolution:
     """All solutions of a linear system: one solution `x` plus any combination of the null vectors `nulls`."""
 
     x: Row
@@ -35,18 +35,18 @@ def total(values: Iterable[float]) -> float:
     return reduce(add, values, 0.0)
 
 
-def solve(rows: list[Row]) -> Solved:
+def solve(rows: list[Row]) -> LinearSolution:
     """Solve the equations `row[:-1] · x = row[-1]` by Gaussian elimination with row pivoting.
 
     There may be more or fewer equations than unknowns. Free unknowns are 0 in `x`, and each is 1 in one of the `nulls`.
     The list of rows is modified.
     """
     if core is not None:
-        return Solved(*core.solve(rows))
+        return LinearSolution(*core.solve(rows))
     return eliminated(rows)
 
 
-def eliminated(rows: list[Row]) -> Solved:
+def eliminated(rows: list[Row]) -> LinearSolution:
     """Solve as `solve` does, in Python."""
     size = len(rows[0]) - 1 if rows else 0
     pending = [_scaled(row, size) for row in rows]
@@ -65,7 +65,7 @@ def eliminated(rows: list[Row]) -> Solved:
         pivots.append((column, best))
     consistent = all(abs(row[size]) <= 100.0 * NEGLIGIBLE * (1.0 + abs(row[size + 1])) for row in pending)
     x = _substituted_back(pivots, [0.0] * size, 1.0)
-    return Solved(x, [_null(pivots, size, column) for column in free], consistent)
+    return LinearSolution(x, [_null(pivots, size, column) for column in free], consistent)
 
 
 def _scaled(row: Row, size: int) -> Row:
@@ -233,13 +233,13 @@ def eliminated_symbols(
     The equations are modified.
     """
     width = len(equations[0]) - 1 if equations else 0
-    scales = [max((abs(value_of(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
+    scales = [max((abs(float_value(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
     pending = list(zip(equations, scales, strict=True))
     solved: list[tuple[int, Equation]] = []
     left: list[int] = []
     for column in range(width):
-        best = max(pending, key=lambda item, c=column: abs(value_of(item[0][c])) / item[1], default=None)
-        if best is None or abs(value_of(best[0][column])) / best[1] <= NEGLIGIBLE:
+        best = max(pending, key=lambda item, c=column: abs(float_value(item[0][c])) / item[1], default=None)
+        if best is None or abs(float_value(best[0][column])) / best[1] <= NEGLIGIBLE:
             left.append(column)
             continue
         pending = [item for item in pending if item is not best]

@@ -26,7 +26,7 @@ class Condition(NamedTuple):
     of: frozenset[int]
 
 
-def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
+def maximize_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
     """Return the maximum over z of the least base + Σ parts·z, inf if unbounded, and the indices of the limiting terms.
 
     Fourier–Motzkin elimination: any two conditions in which a free force has opposite signs combine, with weights of
@@ -133,4 +133,4 @@ class Formulas:
         first, count = len(self.watched) - 1, len(self.braced)
         bases, parts = found[first : first + count], found[first + count :]
         width = len(parts) // count
-        return greatest_least(bases, [parts[i * width : (i + 1) * width] for i in range(count)])
+        return maximize_least(bases, [parts[i * width : (i + 1) * width] for i in range(count)])

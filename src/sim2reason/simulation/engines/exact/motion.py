@@ -18,14 +18,14 @@ from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import ContactMode, RoughContact, Row
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.native_flow import NativeFlow
-from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
+from sim2reason.simulation.trace import EVENT_KINDS, Event, sorted_unique
 
 if TYPE_CHECKING:
     from sim2reason.simulation.engines.exact.core import _core
 
-CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
+REPEATED_IMPACT_TIME = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
-TIE = 1e-11  # s; events closer than this are simultaneous
+SIMULTANEITY_TOL = 1e-11  # s; events closer than this are simultaneous
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
@@ -60,7 +60,7 @@ class EventLog:
         for number in contacts:
             self.end(time, "lift", self._mechanism.faces[number].subject)
 
-    def struck(self, time: float, names: Iterable[str], subjects: tuple[str, ...]) -> None:
+    def record_impact(self, time: float, names: Iterable[str], subjects: tuple[str, ...]) -> None:
         """Store the time and subjects of an impact on the named bodies or rows."""
         self._hits |= dict.fromkeys(names, (time, subjects))
 
@@ -70,14 +70,14 @@ class EventLog:
         Alternating impacts could continue without end.
         """
         recent = [self._hits[name] for name in names if name in self._hits]
-        early = min((hit for hit in recent if TIE < time - hit[0] < CROWD), default=None)
+        early = min((hit for hit in recent if SIMULTANEITY_TOL < time - hit[0] < REPEATED_IMPACT_TIME), default=None)
         if early is None:
             return None
         self.events = [event for event in self.events if event.time <= early[0]]
         self.end(early[0], "crowd", *early[1])
         return early[0]
 
-    def snapped(self, time: float, kinds: list[RowKind], rows: Iterable[int]) -> None:
+    def record_jerks(self, time: float, kinds: list[RowKind], rows: Iterable[int]) -> None:
         """Record the constraints that became tight with a jerk."""
         for number in sorted(rows):
             self.record(time, BEGINS[kinds[number].kind], kinds[number].name)
@@ -95,7 +95,9 @@ class EventLog:
             elif before.acting[number] and not after.acting[number] and not first:
                 self.record(time, STOPS[kind.kind], kind.name)
 
-    def rubbed(self, time: float, grips: tuple[RoughContact, ...], modes: tuple[ContactMode, ContactMode]) -> None:
+    def record_friction_changes(
+        self, time: float, grips: tuple[RoughContact, ...], modes: tuple[ContactMode, ContactMode]
+    ) -> None:
         """Record the contacts that begin to stick or to slip."""
         for grip, was, now in zip(grips, modes[0].rubbing, modes[1].rubbing, strict=True):
             if was != now:
@@ -185,7 +187,7 @@ class Motion:
         instants += [time for segment in self.segments if segment.flow for time in segment.flow.step_times]
         linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
         instants += [time for stretch in linear for time in stretch.knots.tolist()]
-        return in_order(np.array([*(time for time in instants if time <= self.end), self.end]))
+        return sorted_unique(np.array([*(time for time in instants if time <= self.end), self.end]))
 
     def state(self, times: Array) -> State:
         """Return the motion at times ≥ 0, s, shape (m,); the last segment is extrapolated beyond the end."""

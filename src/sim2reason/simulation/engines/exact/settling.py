@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance, separating_contacts
+from sim2reason.simulation.engines.exact.balance import Balance, ContactDemand, balance, separating_contacts
 from sim2reason.simulation.engines.exact.contact_modes import search
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
@@ -12,7 +12,7 @@ from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquatio
 from sim2reason.simulation.engines.exact.linear import ContactMode, Problem, RoughContact, Row, dot
 from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import EventLog, Segment
-from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
+from sim2reason.simulation.engines.exact.system import CONTACT_DISTANCE, Instant, PairState, System
 
 ROUNDING = 1e-9  # fraction of the largest impulse or momentum: a smaller negative impulse is round-off
 
@@ -74,7 +74,7 @@ def solve_impact(system: System, instant: Instant, impact: Impact, still: float)
 
 
 REST_SPEED = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
-DRIFT = 1e-7  # m or m/s; admissible drift of a constraint
+CONSTRAINT_DRIFT = 1e-7  # m or m/s; admissible drift of a constraint
 
 
 class Settling:
@@ -86,7 +86,7 @@ class Settling:
         self.system = System(mechanism)
         self.steady = None if self.system.changing else ConstantEquations(self.system)
         self.curved = VariableEquations(self.system) if self.steady is None else None
-        self.still = REST_RATE if self.curved is None else DRIFT
+        self.still = REST_RATE if self.curved is None else CONSTRAINT_DRIFT
         self.mechanism, self.duration = mechanism, duration
         self.now = 0.0
         self.q: Row = [0.0] * self.system.size
@@ -108,7 +108,11 @@ class Settling:
 
     def impact(self, instant: Instant) -> set[int] | None:
         """Compute all impacts at an instant; return the constraints that tighten with a jerk, None if motion ends."""
-        full = [i for i, spare in enumerate(instant.spare) if spare <= TOUCHING or self.kinds[i].both or self._acts(i)]
+        full = [
+            i
+            for i, spare in enumerate(instant.spare)
+            if spare <= CONTACT_DISTANCE or self.kinds[i].both or self._acts(i)
+        ]
         full = [i for i in full if not self._is_due("force", i)]
         full = [i for i in full if self.kinds[i].follows < 0 or self.kinds[i].follows in full]
         snapped = {i for i in full if instant.rates[i] > self.still and not self.kinds[i].both}
@@ -123,7 +127,7 @@ class Settling:
         self._strike(instant, full, touching, snapped)
         return None if self.event_log.cut else snapped
 
-    def _takes_part(self, number: int, near: Near) -> bool:
+    def _takes_part(self, number: int, near: PairState) -> bool:
         """Return whether a pair takes part in an impact: touching, not stuck, not at rest if the bodies can bounce."""
         resting = near.meeting.restitution > 0.0 and near.rate >= -REST_RATE
         return near.touching and not resting and not self.phase.stuck[number]
@@ -144,13 +148,13 @@ class Settling:
         for number in hits:
             names = self.mechanism.meetings[number].names
             self.event_log.record(self.now, "collision", *names)
-            self.event_log.struck(self.now, self.system.movable[number], names)
+            self.event_log.record_impact(self.now, self.system.movable[number], names)
             if self.mechanism.meetings[number].sticks:
                 self._stick(number)
         for number in snapped:
-            self.event_log.struck(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
+            self.event_log.record_impact(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
         if impact_result.lifted:
-            self.event_log.snapped(self.now, self.kinds, snapped)
+            self.event_log.record_jerks(self.now, self.kinds, snapped)
             self.event_log.lift(self.now, impact_result.lifted)
 
     def _rest(self, rubbing: tuple[int, ...]) -> None:
@@ -195,7 +199,7 @@ class Settling:
             after = force_balance.mode._replace(acting=before.acting) if force_balance.loose else force_balance.mode
             self.event_log.changed(self.now, self.kinds, (before, after), snapped, first=not self.segments)
             if self.segments:
-                self.event_log.rubbed(self.now, self.system.grips, (before, after))
+                self.event_log.record_friction_changes(self.now, self.system.grips, (before, after))
         if ended and not self.segments:
             self.append(force_balance, None)
         self.mode = force_balance.mode
@@ -231,7 +235,7 @@ class Settling:
                 sliding[margin.number] = guess[margin.number] = margin.side
         acting = tuple(acts or number in snapped for number, acts in enumerate(self.mode.acting))
         return balance(
-            self.system, instant, Demand(tight, tuple(sliding), ContactMode(acting, tuple(guess)), self.kinds)
+            self.system, instant, ContactDemand(tight, tuple(sliding), ContactMode(acting, tuple(guess)), self.kinds)
         )
 
     def _least(self, grip: RoughContact) -> float:
@@ -247,8 +251,8 @@ class Settling:
             return False
         if self.curved is not None and self._acts(number):
             drifted = rates[number] if number < len(rates) else 0.0  # a pair that now sticks has one row more
-            return instant.rates[number] > min(drifted, 0.0) - DRIFT
-        return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
+            return instant.rates[number] > min(drifted, 0.0) - CONSTRAINT_DRIFT
+        return instant.spare[number] <= CONTACT_DISTANCE and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
         """Return whether a constraint acted in the preceding segment, so that integration drift is possible."""

@@ -10,29 +10,29 @@ from sim2reason.base.records import cached_property
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Line, Mechanism, Rigid
-from sim2reason.scenes.dsl.state import check_speeds
+from sim2reason.scenes.dsl.state import check_initial_speeds
 from sim2reason.scenes.dsl.structure import ALIGNED, changing, steady
-from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, minus
+from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, subtract_triples
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
 from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve, total
 from sim2reason.simulation.trace import Budget
 
-TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
+CONTACT_DISTANCE = 1e-9  # m; lengths with a smaller difference are equal
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """One travel limit of a coordinate; the remaining travel is `room` + `sign`·q."""
+    """One travel limit of a coordinate; the remaining travel is `initial_travel` + `sign`·q."""
 
     coordinate: int
     name: str
-    room: float
+    initial_travel: float
     sign: float
 
 
 @dataclass(slots=True)
-class Near:
+class PairState:
     """A collision pair at an instant: gap, rate, second derivative at q̈ = 0, and the gradient if the bodies touch."""
 
     meeting: CollisionPair
@@ -45,7 +45,7 @@ class Near:
     @property
     def touching(self) -> bool:
         """Return whether the gap is closed."""
-        return self.gap <= TOUCHING
+        return self.gap <= CONTACT_DISTANCE
 
     def second(self, a: Row) -> float:
         """Return the second derivative of the gap, m/s²."""
@@ -82,7 +82,7 @@ class Instant:
     rates: Row  # at which this distance shrinks
     targets: Row
     slips: Row  # of each rough contact, m/s
-    pairs: tuple[Near, ...]
+    pairs: tuple[PairState, ...]
 
 
 class System:
@@ -108,7 +108,7 @@ class System:
         self.massless = any(body.coordinates and body.mass == 0.0 for body in mechanism.bodies)
         for meeting in mechanism.meetings:
             self._check_apart(meeting)
-        check_speeds(mechanism)
+        check_initial_speeds(mechanism)
 
     def _check_line(self, line: Line) -> float:
         """Return the initial length of a line between its sites, without wheels."""
@@ -118,7 +118,7 @@ class System:
                 run = self.frames.distance(first, last)
             except ZeroDivisionError:
                 run = None
-            if run is None or (run.value <= TOUCHING and (run.moved or run.lift)):
+            if run is None or (run.value <= CONTACT_DISTANCE and (run.moved or run.lift)):
                 problem = f"sites {first} and {last} coincide at the start"
                 raise SceneError(line.name, problem, "leave some string between")
             total += run.value
@@ -128,9 +128,9 @@ class System:
         places = [
             (0.0, 0.0, 0.0) if name is None else self.frames.center(name).place for name in (meeting.a, meeting.b)
         ]
-        offset = minus(places[1], places[0])
+        offset = subtract_triples(places[1], places[0])
         gap = math.hypot(*offset) if meeting.normal is None else dot(meeting.normal, offset)
-        if gap < meeting.distance - TOUCHING:
+        if gap < meeting.distance - CONTACT_DISTANCE:
             other = "what is fixed" if meeting.a is None else meeting.b
             raise SceneError(meeting.a or meeting.b, f"it overlaps {other} at the start", "move them apart")
 
@@ -182,7 +182,9 @@ class System:
         for line, law in self.mechanism.half_springs:
             length = begun.length(line)
             strain = law.side * float(length.value - law.length)
-            acting.append(strain > TOUCHING or (abs(strain) <= TOUCHING and law.side * float(length.rate) > 0.0))
+            acting.append(
+                strain > CONTACT_DISTANCE or (abs(strain) <= CONTACT_DISTANCE and law.side * float(length.rate) > 0.0)
+            )
         return tuple(acting)
 
     def kinds(self, phase: SwitchState) -> list[RowKind]:
@@ -224,9 +226,9 @@ class System:
         return gradient(spread(row.along, self.size), spread(row.lift, self.count))
 
 
-def _near(assembly: Assembly, meeting: CollisionPair) -> Near:
+def _near(assembly: Assembly, meeting: CollisionPair) -> PairState:
     separation = assembly.separation(meeting)
-    return Near(
+    return PairState(
         meeting,
         float(separation.gap),
         float(separation.rate),

@@ -21,7 +21,7 @@ from sim2reason.simulation.engines.exact.native import core
 Node = tuple[str, int, int]
 Code = Callable[[Any], Callable[..., tuple[Any, ...]]]
 """What compiles code for one kind of number."""
-Said = str | int
+ConstantText = str | int
 """A constant: its text if it is part of the code, else its index among all parameters."""
 KEPT = 128  # number of cached codes, with their nodes
 DEEPEST = 12  # largest depth of brackets in a line of code
@@ -230,7 +230,7 @@ def _generated(
     """Return the function that compiles the code of `outputs`, as `PlainTape.code` does, and its operation count."""
     values: dict[float, int] = {}
 
-    def said(value: float) -> Said:
+    def said(value: float) -> ConstantText:
         return PLAIN.get(value) or values.setdefault(value, len(values))
 
     constants = tuple(map(said, tape.constants))
@@ -255,9 +255,9 @@ class _Code:
 def _written(
     names: Sequence[str],
     nodes: Sequence[Node],
-    constants: Sequence[Said],
-    outputs: tuple[tuple[int, Said], ...],
-    guards: tuple[tuple[int, Said], ...],
+    constants: Sequence[ConstantText],
+    outputs: tuple[tuple[int, ConstantText], ...],
+    guards: tuple[tuple[int, ConstantText], ...],
 ) -> _Code:
     """Generate the code of a tape with constants as parameters, so that equations that differ only in these share it.
 
@@ -279,7 +279,7 @@ class _Writer:
     """Writer of code for the recorded operations that some outputs need; results used only once are written inline."""
 
     def __init__(
-        self, names: Sequence[str], nodes: Sequence[Node], constants: Sequence[Said], outputs: Sequence[int]
+        self, names: Sequence[str], nodes: Sequence[Node], constants: Sequence[ConstantText], outputs: Sequence[int]
     ) -> None:
         self._inputs, self._nodes, self._constants = names, nodes, constants
         self.parameters: dict[int, str] = {}  # by their places, and how they are written
@@ -329,11 +329,11 @@ class _Writer:
         """Return the code for the result of a recorded operation."""
         return self._text[number][0]
 
-    def constant(self, number: Said) -> str:
+    def constant(self, number: ConstantText) -> str:
         """Return the code for a constant: the constant itself if it is a text, else the name of a parameter."""
         return number if isinstance(number, str) else self.parameters.setdefault(number, f"c{len(self.parameters)}")
 
 
-def value_of(number: Number) -> float:
+def float_value(number: Number) -> float:
     """Return the value of a number or symbol as a float."""
     return number.value if isinstance(number, (Symbol, PlainSymbol)) else float(cast("float", number))

@@ -15,8 +15,8 @@ from importlib import import_module
 
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.state import Array, check_speeds
-from sim2reason.simulation.engines.mujoco.own_units import in_own_units, is_tiny
+from sim2reason.scenes.dsl.state import Array, check_initial_speeds
+from sim2reason.simulation.engines.mujoco.own_units import is_tiny, run_in_own_units
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 __all__ = ["simulate"]
@@ -34,10 +34,10 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
             budget has, or any warning of the library.
     """
     del tolerance
-    check_speeds(mechanism)
+    check_initial_speeds(mechanism)
     with import_module(f"{__name__}.specification").collect_warnings() as messages:
         run = import_module(f"{__name__}.engine").run
-        trace: Trace = in_own_units(run, mechanism, times) if is_tiny(mechanism) else run(mechanism, times)
+        trace: Trace = run_in_own_units(run, mechanism, times) if is_tiny(mechanism) else run(mechanism, times)
     if messages:
         raise SimulationError(f"MuJoCo warns: {messages[0]}")
     return trace

@@ -100,7 +100,7 @@ class EventSearch:
     def _slope(self, x: float, margins: list[EventMargin]) -> float:
         """Return the derivative of the least event function at a fraction of the step."""
         if self._polynomials is None:
-            return (self._least_at(x + WIDTH) - self._least_at(x - WIDTH)) / (2.0 * WIDTH)
+            return (self._least_margin_at(x + WIDTH) - self._least_margin_at(x - WIDTH)) / (2.0 * WIDTH)
         least = int(np.argmin([due.value + room for due, room in zip(margins, self._depth, strict=True)]))
         return float(self._slopes(x)[least])
 
@@ -135,7 +135,7 @@ class EventSearch:
         """
         if self._polynomials is not None:
             return self._first_root(self._polynomials, after)
-        high = 0.5 if self._least_at(0.5) < 0.0 else 1.0
+        high = 0.5 if self._least_margin_at(0.5) < 0.0 else 1.0
         if high == 1.0 and self._least(self._ends[1]) >= 0.0:
             dip = self._dip()
             if dip is None:
@@ -156,16 +156,16 @@ class EventSearch:
         Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
         (1979), and are bracketed at once.
         """
-        left, over = self._least_at(low), self._least_at(high)
+        left, over = self._least_margin_at(low), self._least_margin_at(high)
         while high - low > FORESEEN:
             middle = 0.5 * (low + high)
-            value = self._least_at(middle)
+            value = self._least_margin_at(middle)
             root = sqrt(max(value * value - left * over, 0.0))
             guess = middle + (middle - low) * (value / root if root else 0.0)
             low, high, left, over = (middle, high, value, over) if value > 0.0 else (low, middle, left, value)
             for x in (guess - 0.4 * FORESEEN, guess + 0.4 * FORESEEN):
                 if low < x < high:
-                    value = self._least_at(x)
+                    value = self._least_margin_at(x)
                     low, high, left, over = (x, high, value, over) if value > 0.0 else (low, x, left, value)
         return high
 
@@ -204,7 +204,7 @@ class EventSearch:
         self._set_state(x)
         return [due.value for due in self._acting.distances()]
 
-    def _least_at(self, x: float) -> float:
+    def _least_margin_at(self, x: float) -> float:
         """Return the least event function at a fraction of the step, by interpolation between its ends."""
         return self._least(self._margins_at(x))
 

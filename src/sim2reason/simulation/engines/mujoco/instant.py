@@ -22,7 +22,7 @@ from sim2reason.simulation.engines.mujoco.model import CompiledModel
 from sim2reason.simulation.engines.mujoco.record import MotionRecord, present_problem
 from sim2reason.simulation.trace import Event
 
-TOUCHING = 1e-7  # m; smaller distances count as contact
+CONTACT_DISTANCE = 1e-7  # m; smaller distances count as contact
 REST_SPEED = 1e-6  # m/s or m/s²; slower motion counts as rest
 FAINT, MIN_LOAD = 1e-7, 1e-3  # fraction of the largest load, at least this, N: smaller tensions hold nothing
 FREE = 1e-6  # smaller components of a motion of massless parts are round-off
@@ -53,7 +53,9 @@ class InstantSolver:
         self.model.set_state(0.0, self.q, self.v, self.switches)
         self.switches.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
         strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
-        self.switches.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
+        self.switches.strained = [
+            s > CONTACT_DISTANCE or (abs(s) <= CONTACT_DISTANCE and rate > 0.0) for s, rate in strains
+        ]
         self.mode: ContactMode | None = None
         self.due: list[EventMargin] = []
         self.record = MotionRecord(self.model)
@@ -136,10 +138,10 @@ class InstantSolver:
         if any(due.kind == "force" and due.number in (number, row.follows) for due in self.due):
             return False
         if row.follows >= 0:
-            return row.spare <= TOUCHING
+            return row.spare <= CONTACT_DISTANCE
         if self.mode is not None and number < len(self.mode.rows) and self.mode.rows[number]:
             return row.rate > -1e3 * REST_SPEED
-        return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
+        return row.spare <= CONTACT_DISTANCE and abs(row.rate) <= 1e2 * REST_SPEED
 
     def _rubbing(self, found: ForceSolution) -> tuple[int, ...]:
         """Return the direction of slip of each face; a face at rest that is not accelerated sticks.
@@ -169,7 +171,12 @@ class InstantSolver:
         for number, meeting in enumerate(self.mechanism.meetings):
             if not self.switches.stuck[number]:
                 gap, rate, gradient, bias = self.model.separation(meeting)
-                if gap <= TOUCHING and abs(rate) <= REST_SPEED and gradient @ a + bias < -REST_SPEED and not self.cut:
+                if (
+                    gap <= CONTACT_DISTANCE
+                    and abs(rate) <= REST_SPEED
+                    and gradient @ a + bias < -REST_SPEED
+                    and not self.cut
+                ):
                     self.end("crowd", *meeting.names)
 
     def _note_changes(self, after: ContactMode, rows: list[Row]) -> None:
@@ -194,14 +201,14 @@ class InstantSolver:
         snapped = [
             i
             for i, row in enumerate(rows)
-            if not row.both and row.spare <= TOUCHING and row.rate > (1.0 if acts[i] else 10.0 * REST_SPEED)
+            if not row.both and row.spare <= CONTACT_DISTANCE and row.rate > (1.0 if acts[i] else 10.0 * REST_SPEED)
         ]
         near = [self.model.separation(meeting) for meeting in self.mechanism.meetings]
         bounces = [meeting.restitution > 0.0 for meeting in self.mechanism.meetings]
         touching = [  # a pair that rests against each other is struck next
             i
             for i, (gap, rate, *_) in enumerate(near)
-            if gap <= TOUCHING and not self.switches.stuck[i] and (rate < -REST_SPEED or not bounces[i])
+            if gap <= CONTACT_DISTANCE and not self.switches.stuck[i] and (rate < -REST_SPEED or not bounces[i])
         ]
         hits = [i for i in touching if near[i][1] < -REST_SPEED]
         if not snapped and not hits:
@@ -224,7 +231,7 @@ class InstantSolver:
         """Return whether any touching bodies that do not stick together approach each other."""
         near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
         pairs = zip(near, self.switches.stuck, strict=True)
-        return any(gap <= TOUCHING and rate < -REST_SPEED and not stuck for (gap, rate, *_), stuck in pairs)
+        return any(gap <= CONTACT_DISTANCE and rate < -REST_SPEED and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
         """Compute the velocities just after an impact, as in the problem of forces but with momenta as loads."""
@@ -257,7 +264,7 @@ class InstantSolver:
             meeting = self.mechanism.meetings[number]
             _, rate, gradient, _ = self.model.separation(meeting)
             hits.append(Row("hit", "", -gradient, 0.0, -rate, min(0.0, meeting.restitution * rate)))
-        full = [row.spare <= TOUCHING or acts[i] or row.both for i, row in enumerate(rows)]
+        full = [row.spare <= CONTACT_DISTANCE or acts[i] or row.both for i, row in enumerate(rows)]
         every, faces = [*rows, *hits], len(self.mechanism.faces)
         instant = present_problem(self.model, every, (0,) * faces, (*full, *(True for _ in hits)))
         targets = [float(row.gradient @ self.v) - row.rate for row in rows] + [row.target for row in hits]

@@ -19,7 +19,7 @@ from sim2reason.scenes.dsl.mechanism import (
     RigidBody,
 )
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, scale_triple
 from sim2reason.simulation.trace import Event, Trace
 
 MIN_MASS = 1e-15  # kg or kg m²: MuJoCo treats a smaller mass or inertia as zero
@@ -38,7 +38,7 @@ class OwnUnits:
     time: float
 
     @classmethod
-    def of(cls, mechanism: Mechanism, duration: float) -> "OwnUnits":
+    def for_motion(cls, mechanism: Mechanism, duration: float) -> "OwnUnits":
         """Return the units suited to a motion: the mass of the heaviest body, and the duration."""
         return cls(max(body.mass for body in mechanism.bodies), duration)
 
@@ -122,8 +122,8 @@ class LawInUnits:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force in the converted units."""
         units = self.units
-        law_force = self.law.force(place, times(1.0 / units.time, velocity), time * units.time, maths)
-        return times(1.0 / units.force, law_force)
+        law_force = self.law.force(place, scale_triple(1.0 / units.time, velocity), time * units.time, maths)
+        return scale_triple(1.0 / units.force, law_force)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return the potential energy in the converted units; None if the law has none."""
@@ -140,7 +140,7 @@ class LawInUnits:
         return replace(self, law=self.law.moved(by))
 
 
-def in_own_units(run: Callable[[Mechanism, Array], Trace], mechanism: Mechanism, at: Array) -> Trace:
+def run_in_own_units(run: Callable[[Mechanism, Array], Trace], mechanism: Mechanism, at: Array) -> Trace:
     """Return the motion of a mechanism at times (m,), simulated by `run` in units suited to the mechanism."""
-    units = OwnUnits.of(mechanism, float(at[-1]))
+    units = OwnUnits.for_motion(mechanism, float(at[-1]))
     return units.convert_trace(run(units.convert_mechanism(mechanism), at / units.time), mechanism)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import hypot
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBody
-from sim2reason.scenes.dsl.structure import turns_one_way
+from sim2reason.scenes.dsl.structure import rotates_one_way
 from sim2reason.scenes.dsl.vectors import Vector, add, outer, scale
 from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated, is_stated_for_all
 
@@ -36,16 +36,16 @@ class CenterPath:
     def rises(self) -> bool:
         """Return whether the centre of mass can move up or down."""
         return any(abs(direction[2]) > DIRECTION_TOL for direction in self.ways) or (
-            self.bends and any(not upright(t) for t in self.turns)
+            self.bends and any(not is_vertical(t) for t in self.turns)
         )
 
 
-def upright(axis: Vector) -> bool:
+def is_vertical(axis: Vector) -> bool:
     """Return whether an axis is vertical, so that rotation about it keeps heights constant."""
     return hypot(axis[0], axis[1]) <= DIRECTION_TOL
 
 
-def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
+def ancestor_chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
     """Return a body and all bodies that carry it, innermost first."""
     bodies: list[RigidBody] = []
     step: str | None = name
@@ -57,7 +57,7 @@ def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
 
 def center_path(mechanism: Mechanism, name: str) -> CenterPath:
     """Return the possible motions of the centre of mass of a body."""
-    bodies = chain(mechanism, name)
+    bodies = ancestor_chain(mechanism, name)
     ways: list[Vector] = []
     turns: list[Vector] = []
     bends = swings = False
@@ -91,7 +91,10 @@ def parallel(one: Vector, other: Vector) -> bool:
 def turning_axes(mechanism: Mechanism, name: str) -> list[tuple[str, Vector]]:
     """Return the hinges that rotate a body, by name, each with its initial axis; the innermost first."""
     return [
-        (c.name, c.axis) for body in chain(mechanism, name) for c in reversed(body.coordinates) if c.kind == "hinge"
+        (c.name, c.axis)
+        for body in ancestor_chain(mechanism, name)
+        for c in reversed(body.coordinates)
+        if c.kind == "hinge"
     ]
 
 
@@ -100,16 +103,16 @@ def is_pulley_wheel(mechanism: Mechanism, name: str) -> bool:
     return f"{name}.left" in mechanism.site and f"{name}.right" in mechanism.site
 
 
-def rim_of(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
+def rim_sites(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
     """Return the names of the two sites at the rim of a pulley; None if there is no pulley at the address."""
     candidates = ((f"{address}.{one}", f"{address}.{other}") for one, other in RIMS)
     return next((pair for pair in candidates if all(site in mechanism.site for site in pair)), None)
 
 
-def rides(mechanism: Mechanism, name: str) -> bool:
+def moves_on_slider(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body moves on a sliding body, so that its motion is ambiguous without a reference."""
     own = False
-    for body in chain(mechanism, name):
+    for body in ancestor_chain(mechanism, name):
         if own and any(c.kind == "slide" for c in body.coordinates):
             return True
         own = own or bool(body.coordinates)
@@ -130,16 +133,16 @@ def extended(mechanism: Mechanism, name: str) -> bool:
     return any(mechanism.body[name].inertia)
 
 
-def at_start(mechanism: Mechanism, name: str | None) -> Vector:
+def initial_position(mechanism: Mechanism, name: str | None) -> Vector:
     """Return the initial position of a body's frame in the world frame, m; their axes then coincide."""
-    return add(*(body.at for body in chain(mechanism, name))) if name is not None else ZERO
+    return add(*(body.at for body in ancestor_chain(mechanism, name))) if name is not None else ZERO
 
 
 def point_directions(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
     """Return the initial direction of motion of a point `at` in a body's frame for each coordinate that moves it."""
     directions: dict[str, Vector] = {}
     arm = at
-    for body in chain(mechanism, name) if name is not None else []:
+    for body in ancestor_chain(mechanism, name) if name is not None else []:
         for coordinate in body.coordinates:
             direction = coordinate.axis if coordinate.kind == "slide" else outer(coordinate.axis, arm)
             if hypot(*direction) > DIRECTION_TOL:
@@ -148,7 +151,7 @@ def point_directions(mechanism: Mechanism, name: str | None, at: Vector) -> dict
     return directions
 
 
-def carried_by(mechanism: Mechanism, name: str) -> list[RigidBody]:
+def carried_bodies(mechanism: Mechanism, name: str) -> list[RigidBody]:
     """Return a body and all bodies that it carries."""
     names = {name}
     for body in mechanism.bodies:  # a parent stands before its children
@@ -186,7 +189,7 @@ class Bodies(Subject):
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return *relative to the ground* for a body that another body carries."""
         del mentions
-        return {"ground": " relative to the ground" if rides(mechanism, name) else ""}
+        return {"ground": " relative to the ground" if moves_on_slider(mechanism, name) else ""}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
         """Return the phrase of the centre of mass for an extended swinging body, else that of the body itself."""
@@ -264,7 +267,7 @@ class SuspendedBodies(Subject):
 
 def _hangs(mechanism: Mechanism, body: RigidBody) -> bool:
     hinged = [coordinate.kind for coordinate in body.coordinates] == ["hinge"] and body.parent is not None
-    small = body.mass > 0.0 and not any(body.inertia) and len(list(carried_by(mechanism, body.name))) == 1
+    small = body.mass > 0.0 and not any(body.inertia) and len(list(carried_bodies(mechanism, body.name))) == 1
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
     drawn = {name for pull in mechanism.attractions for name in (pull.a, pull.b)}
@@ -294,7 +297,7 @@ class TurningBodies(Subject):
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return *net* for the angle of a body that may reverse its rotation."""
         del mentions
-        return {"net": "" if turns_one_way(mechanism, name) else "net "}
+        return {"net": "" if rotates_one_way(mechanism, name) else "net "}
 
 
 def _has_size(mechanism: Mechanism, name: str) -> bool:

@@ -127,7 +127,7 @@ def strings(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]
 
 
 SURFACES = ("plane", "incline", "table", "floor", "track", "surface")  # fields of entities on which bodies may lie
-ANY = "the surface beneath it"
+UNNAMED_SURFACE = "the surface beneath it"
 
 
 @dataclass(frozen=True)
@@ -159,13 +159,13 @@ def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str
     """Return the text's name for the surface under a body, made unambiguous if several surfaces share it."""
     parent = mechanism.body[name].parent
     if parent is not None:
-        return mentions.get(parent, ANY)
+        return mentions.get(parent, UNNAMED_SURFACE)
     owner = name
     while owner := owner.rpartition(".")[0]:
         surfaces = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
         if surfaces:
             return surfaces[0] if list(mentions.values()).count(surfaces[0]) == 1 else f"{surfaces[0]} beneath it"
-    return ANY
+    return UNNAMED_SURFACE
 
 
 @dataclass(frozen=True)

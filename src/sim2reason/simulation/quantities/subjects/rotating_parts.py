@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, Line, Mechanism, Rigid, RigidBody
-from sim2reason.scenes.dsl.vectors import Vector, add, applied, inner, minus, outer, scale
+from sim2reason.scenes.dsl.vectors import Vector, add, apply_tensor, inner, outer, scale, subtract_triples
 from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated_for_all
 from sim2reason.simulation.quantities.subjects.bodies import (
     DIRECTION_TOL,
@@ -16,11 +16,11 @@ from sim2reason.simulation.quantities.subjects.bodies import (
     RIGHT,
     UP,
     VERTICAL,
-    at_start,
-    carried_by,
-    chain,
+    ancestor_chain,
+    carried_bodies,
+    initial_position,
     point_directions,
-    rim_of,
+    rim_sites,
 )
 from sim2reason.simulation.quantities.subjects.interactions import ends_label, line_phrases, springs, strings, surface
 
@@ -51,7 +51,7 @@ class SwingingLines(Subject):
         phrase_by_name: dict[str, str] = {}
         for name in self.names(mechanism):
             body = mechanism.body.get(name)
-            if body is not None and is_light_rod(body) and carries_on_both_sides(mechanism, name):
+            if body is not None and is_light_rod(body) and has_bodies_on_both_sides(mechanism, name):
                 phrase_by_name[name] = "the line from the axle to the centre of mass of the bodies on the arm"
             elif name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
                 phrase_by_name[name] = known[name]
@@ -80,7 +80,7 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
     if len(line.through) != 2 or line.wheels:
         return None
     ends = [mechanism.site[name] for name in line.through]
-    places = [add(at_start(mechanism, end.body), end.at) for end in ends]
+    places = [add(initial_position(mechanism, end.body), end.at) for end in ends]
     ways = [point_directions(mechanism, end.body, end.at) for end in ends]
     separation = add(places[1], scale(-1.0, places[0]))
     length = hypot(*separation)
@@ -121,7 +121,7 @@ def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
     if endpoints is None or inertia == 0.0:
         return False
     arm = endpoints.bottom[1]
-    return all(abs(part) <= DIRECTION_TOL * inertia * hypot(*arm) for part in applied(body.inertia, arm))
+    return all(abs(part) <= DIRECTION_TOL * inertia * hypot(*arm) for part in apply_tensor(body.inertia, arm))
 
 
 def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
@@ -132,22 +132,22 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
     return "the axle"
 
 
-def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
+def has_bodies_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
     """Return whether bodies are welded to a light rod on both sides of its axle."""
-    places = [body.at for body in welded_to(mechanism, rod)]
+    places = [body.at for body in welded_bodies(mechanism, rod)]
     return any(inner(places[0], position) < 0.0 for position in places[1:])
 
 
-def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
+def welded_bodies(mechanism: Mechanism, rod: str) -> list[RigidBody]:
     """Return the bodies with mass that are welded to a rod."""
-    carried = carried_by(mechanism, rod)
+    carried = carried_bodies(mechanism, rod)
     return [body for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
 
 
 def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
     """Return the centre of mass of the load of a light rod, or of the hinges on it, in the rod's frame, m."""
-    heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
-    loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
+    heavy = [(b.mass, add(b.at, b.center)) for b in welded_bodies(mechanism, rod.name)]
+    loads = heavy or [(1.0, b.at) for b in carried_bodies(mechanism, rod.name) if b.parent == rod.name]
     total = sum(mass for mass, _ in loads)
     return scale(1.0 / total, add(*(scale(mass, position) for mass, position in loads))) if loads else ZERO
 
@@ -188,7 +188,7 @@ def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
     """Return whether a body is a light rod on a hinge, with only the rod and gravity acting on its load."""
     if not is_light_rod(body) or body_pointer(mechanism, body) is None:
         return False
-    carried = {each.name for each in carried_by(mechanism, body.name)}
+    carried = {each.name for each in carried_bodies(mechanism, body.name)}
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
     drawn = {name for pull in mechanism.attractions for name in (pull.a, pull.b)}
@@ -232,7 +232,7 @@ class Axles(Subject):
         """Return the names of the hinged bodies that carry all bodies rotating with them."""
         rods = Rods().names(mechanism)
         hinged = [body.name for body in mechanism.bodies if body.coordinates and body.name not in rods]
-        return tuple(name for name in hinged if held_by_axle_alone(mechanism, name))
+        return tuple(name for name in hinged if is_held_by_axle_alone(mechanism, name))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrases of the bodies that the text mentions."""
@@ -250,11 +250,11 @@ class Axles(Subject):
         return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - DIRECTION_TOL else [up]
 
 
-def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
+def is_held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body, with all bodies joined to it, rotates about one fixed axle without other contacts."""
-    if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
+    if [c.kind for body in ancestor_chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
         return False
-    together = carried_by(mechanism, chain(mechanism, name)[-1].name)
+    together = carried_bodies(mechanism, ancestor_chain(mechanism, name)[-1].name)
     carried = {body.name for body in together}
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
@@ -280,7 +280,7 @@ class Pulleys(Subject):
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the addresses of the pulleys over which a string runs, in the order of the strings."""
         owners = dict.fromkeys(site.rpartition(".")[0] for line in mechanism.lines for site in line.through)
-        return tuple(owner for owner in owners if rim_of(mechanism, owner) is not None)
+        return tuple(owner for owner in owners if rim_sites(mechanism, owner) is not None)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrases of the pulleys that the text mentions."""
@@ -304,7 +304,7 @@ def are_directions_stated(mechanism: Mechanism, name: str) -> bool:
             for rim, end in ((one, other), (other, one)):
                 if rim.rpartition(".")[0] != name or end.rpartition(".")[0] == name:
                     continue
-                part = minus(frames.site(end).place, frames.site(rim).place)
+                part = subtract_triples(frames.site(end).place, frames.site(rim).place)
                 if hypot(float(part[0]), float(part[1])) > DIRECTION_TOL:
                     ends.add(end.partition(".")[0])
     return len(ends) <= 1

@@ -10,11 +10,11 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.scenes.dsl.choices import chances, choices, close_ports, reachable, specials
+from sim2reason.scenes.dsl.choices import chances, choices, close_ports, contained_classes, specials
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Choice, Count, draw, field_types
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.units import UnitError, coherent
+from sim2reason.scenes.dsl.units import UnitError, to_coherent_unit
 from sim2reason.text.parsing.ordinary.lexicon import FILLERS, ORDERED, PHRASES, SURFACES, SYNONYMS, TEXTURES
 from sim2reason.text.prose.phrases import Names, letters
 from sim2reason.text.prose.voices import symbolic_but_zero
@@ -37,11 +37,11 @@ class WrittenNumber:
 
     digits: str
     unit: str
-    bare: str
+    is_bare: str
 
     def in_unit(self, unit: str) -> str:
         """Return the digits of this number in another unit of the same kind, without rounding."""
-        mine, other = coherent(self.unit)[1], coherent(unit)[1]
+        mine, other = to_coherent_unit(self.unit)[1], to_coherent_unit(unit)[1]
         if mine == other:
             return self.digits
         plain = re.sub(rf"\s?[{TIMES}x*]\s?10\^?", "e", self.digits).replace(MINUS, "-")
@@ -73,7 +73,7 @@ class Content:
         """Return the letters that name bodies, in the order of the sentence."""
         return tuple(word for word in self.words if len(word) == 1)
 
-    def beside(self, index: int) -> frozenset[str]:
+    def words_beside(self, index: int) -> frozenset[str]:
         """Return the words directly before and after a number, given by its index."""
         at = self.words.index(f"#{index}#")
         near = (*self.words[max(at - 1, 0) : at], *self.words[at + 1 : at + 2])
@@ -108,7 +108,7 @@ def _unit(text: str) -> tuple[str, str, str]:
     """Return the unit at the start of a string, the unit without prefixes, and the remainder of the string."""
     word = text.rstrip(".")
     try:
-        return (word, coherent(word)[0], "") if word else ("", "", "")
+        return (word, to_coherent_unit(word)[0], "") if word else ("", "", "")
     except (UnitError, ArithmeticError):
         return "", "", text
 
@@ -141,7 +141,7 @@ def _phrases() -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple((re.compile(pattern), plain) for pattern, plain in PHRASES.items())
 
 
-ALONE = 4  # words that fix a number, such as *smooth*, each of which gets a scene of its own
+MAX_SINGLE_WORDS = 4  # words that fix a number, such as *smooth*, each of which gets a scene of its own
 KINDS = 4  # classes of parts tried for the same field, such as bodies that roll
 RANDOM = 1  # random scenes of each entity
 WORDINGS = 2  # of each scene
@@ -151,11 +151,11 @@ GRAVITY, _GRAVITY_OF_SYMBOL = "Take g = $g$.", "The acceleration of free fall is
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A library sentence with symbols in dollars for its numbers; `place` is its relative position in a text."""
+    """A library sentence with symbols in dollars for its numbers; `position` is its relative position in a text."""
 
     text: str
     units: tuple[str, ...]
-    place: float
+    position: float
     content: Content
 
 
@@ -182,7 +182,9 @@ def forms() -> tuple[Form, ...]:
 
 def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
     """Yield settings for random scenes of an entity that together use each special word, such as *smooth*."""
-    fields = [(model, name, field_type) for model in reachable(cls) for name, field_type in field_types(model).items()]
+    fields = [
+        (model, name, field_type) for model in contained_classes(cls) for name, field_type in field_types(model).items()
+    ]
     special_values = {
         f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)
     }
@@ -199,7 +201,9 @@ def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
         plain: dict[str, Choice] = {**few, **dict.fromkeys(chances(cls), present)}
         yield from ({**plain, **special} for special in words)
         yield from (
-            {**plain, path: special_values[path][0]} for path in list(special_values)[:ALONE] if len(special_values) > 1
+            {**plain, path: special_values[path][0]}
+            for path in list(special_values)[:MAX_SINGLE_WORDS]
+            if len(special_values) > 1
         )
     for model, name, field_type in fields:
         kinds = [kind.__name__ for kind in field_type.models if len(field_type.models) > 1]
@@ -242,7 +246,7 @@ _LEADS = r"(?:(?:that|which) )?(?:passes |passing |runs |running |goes |going |h
 _TIED = r"(?:connected|attached|joined|tied)"
 _BODY = r"(?:blocks|masses|weights|bodies|objects)"
 
-REWORDED: Mapping[str, str] = {
+PULLEY_REWORDINGS: Mapping[str, str] = {
     rf"Two {_BODY},? {_MASS} and {_MASS},? (?:hang|are hung|are suspended|are {_TIED})"
     rf"(?: vertically)?(?: (?:together|from|to|at|on|the|both|two|opposite|ends?|of))*"
     rf"(?: by)? {_STRING} {_LEADS} {_PULLEY}\.": (
@@ -259,9 +263,9 @@ REWORDED: Mapping[str, str] = {
 """By a pattern of a whole sentence, the library's sentence that says the same; the first body mentioned is A."""
 
 
-def reworded(sentence: str) -> str | None:
+def reword_textbook_sentence(sentence: str) -> str | None:
     """Return the library's sentence that says the same as one of a textbook on a usual arrangement; None if unknown."""
-    for pattern, replacement in REWORDED.items():
+    for pattern, replacement in PULLEY_REWORDINGS.items():
         match = re.fullmatch(pattern, sentence)
         if match is not None:
             return match.expand(replacement)

@@ -9,10 +9,17 @@ from itertools import islice, product
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.model import field_types
 from sim2reason.scenes.dsl.scene import World
-from sim2reason.scenes.dsl.units import coherent
-from sim2reason.text.parsing.ordinary.content import Content, Form, WrittenNumber, content, forms, reworded
+from sim2reason.scenes.dsl.units import to_coherent_unit
+from sim2reason.text.parsing.ordinary.content import (
+    Content,
+    Form,
+    WrittenNumber,
+    content,
+    forms,
+    reword_textbook_sentence,
+)
 from sim2reason.text.parsing.ordinary.lexicon import NOUNS
-from sim2reason.text.prose.closings import CLOSINGS, RESTS, is_assumption
+from sim2reason.text.prose.closings import CLOSINGS, REST_SENTENCES, is_assumption
 
 MIN_SIMILARITY = 0.2  # share of common words of two sentences from which one is suggested for the other
 MAX_SENTENCE_LENGTH = 600  # characters of a sentence that is compared with the library's
@@ -42,7 +49,7 @@ def _core(sentence_content: Content) -> frozenset[str]:
     return sentence_content.facts - NOUNS - {"rough"}
 
 
-def nearest(sentence: str) -> str | None:
+def find_nearest_form(sentence: str) -> str | None:
     """Return the most similar sentence of the library, with the user's numbers filled in; None if none is similar."""
     if len(sentence) > MAX_SENTENCE_LENGTH:
         return None
@@ -67,10 +74,10 @@ def _values(form: Form, user_content: Content) -> Iterator[str | None]:
     Numbers correspond if they are of the same kind, such as two masses, and in order.
     """
     left = list(enumerate(user_content.numbers))
-    kinds = [coherent(unit)[0] for unit in form.units]
+    kinds = [to_coherent_unit(unit)[0] for unit in form.units]
     for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):
-        alone = kinds.count(kind) == 1 and sum(number.bare == kind for _, number in left) == 1
-        chosen = next((each for each in left if each[1].bare == kind), None)
+        alone = kinds.count(kind) == 1 and sum(number.is_bare == kind for _, number in left) == 1
+        chosen = next((each for each in left if each[1].is_bare == kind), None)
         if chosen is None or not (alone or _certain(user_content, chosen[0], form.content, index)):
             yield None
             continue
@@ -83,8 +90,8 @@ def _certain(user_content: Content, mine: int, other: Content, theirs: int) -> b
     listed = (
         user_content.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(user_content.words) or mine == 0
     )
-    return bool(user_content.beside(mine) & other.beside(theirs)) or (
-        listed and any(map(_is_letter, other.beside(theirs)))
+    return bool(user_content.words_beside(mine) & other.words_beside(theirs)) or (
+        listed and any(map(_is_letter, other.words_beside(theirs)))
     )
 
 
@@ -98,7 +105,10 @@ def _number_text(number: WrittenNumber, unit: str) -> str:
 
 def _likeness(user_content: Content, form: Form) -> float:
     mine, other = user_content.facts, form.content.facts
-    kinds, units = [number.bare for number in user_content.numbers], [coherent(unit)[0] for unit in form.units]
+    kinds, units = (
+        [number.is_bare for number in user_content.numbers],
+        [to_coherent_unit(unit)[0] for unit in form.units],
+    )
     shared = _common(kinds, units)
     either = len(mine | other) + NUMBERS * (len(kinds) + len(units) - shared)
     return (len(mine & other) + NUMBERS * shared) / either if either else 0.0
@@ -111,7 +121,10 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
 def _equal(user_content: Content, form: Form) -> bool:
     """Return whether two sentences are equivalent: same words, same order of bodies, matching numbers."""
     other = form.content
-    kinds, units = [number.bare for number in user_content.numbers], [coherent(unit)[0] for unit in form.units]
+    kinds, units = (
+        [number.is_bare for number in user_content.numbers],
+        [to_coherent_unit(unit)[0] for unit in form.units],
+    )
     if sorted(kinds) != sorted(units) or not (_agree(user_content, other) or _of_one(user_content, other)):
         return False
     if user_content.letters != other.letters and (user_content.letters or not _introduced(form)):
@@ -135,14 +148,14 @@ def _of_one(user_content: Content, other: Content) -> bool:
 
 def _introduced(form: Form) -> bool:
     """Return whether each body's letter in a library sentence occurs once, beside a number, which introduces it."""
-    beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
+    beside = {word for index in range(len(form.units)) for word in form.content.words_beside(index)}
     return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
 def _in_turn(user_content: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
     """Return whether numbers of the same quantity match in order: beside the same words, or letters of bodies."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
-    return all(_alike(user_content.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
+    return all(_alike(user_content.words_beside(mine), other.words_beside(theirs)) for mine, theirs in pairs)
 
 
 def _alike(mine: frozenset[str], theirs: frozenset[str]) -> bool:
@@ -157,7 +170,7 @@ CHOICES = 4  # forms of a sentence that are tried
 MAX_TEXTS = 24  # rewritten texts that are tried
 FIRST_LETTER = "A"
 LAST = 1.0  # relative position of the last sentence of a text
-PRESUMED = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
+PRESUMED_CLOSINGS = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
 """Closings that people leave out: the usual g, pulleys without friction, strings that are taut, room to move."""
 
 _REST = "It is released from rest."
@@ -176,7 +189,7 @@ _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 class RewrittenText:
     """A user's text rewritten in the library's sentences, and whether the user's text implies a start from rest."""
 
-    said: tuple[str, ...]
+    sentences: tuple[str, ...]
     from_rest: bool
     added: tuple[str, ...] = ()
 
@@ -187,15 +200,15 @@ class RewrittenText:
 
     def adding(self, name: str) -> "RewrittenText | None":
         """Return the text with a named closing sentence added; None if the original neither states nor presumes it."""
-        if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
+        if not (PRESUMED_CLOSINGS.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
             return None
         named_closing = next(closing for closing in CLOSINGS if closing.name == name)
         measure = field_types(World)["gravity"].measure
         usual = measure.say(World().gravity) if measure is not None else ""
         wording = named_closing.wordings[0].replace("{world.gravity}", usual)
-        later = [index for index, sentence in enumerate(self.said) if _comes_after(sentence, name)]
-        at = later[0] if later else len(self.said)
-        sentences = (*self.said[:at], wording[:1].upper() + wording[1:], *self.said[at:])
+        later = [index for index, sentence in enumerate(self.sentences) if _comes_after(sentence, name)]
+        at = later[0] if later else len(self.sentences)
+        sentences = (*self.sentences[:at], wording[:1].upper() + wording[1:], *self.sentences[at:])
         return RewrittenText(sentences, self.from_rest, (*self.added, name))
 
 
@@ -204,7 +217,7 @@ def first_unknown_sentence(sentences: Sequence[str]) -> int | None:
     return next((index for index, sentence in enumerate(_unlettered(sentences)) if _forms(sentence) is None), None)
 
 
-def recast(sentences: Sequence[str]) -> Iterator[RewrittenText]:
+def recast_text(sentences: Sequence[str]) -> Iterator[RewrittenText]:
     """Yield equivalent texts in the library's sentences, in the order of the text and in the usual order."""
     sentence_clauses = [_forms(sentence) for sentence in _unlettered(sentences)]
     if not all(each is not None for each in sentence_clauses):
@@ -260,16 +273,16 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
     None means that the library has no sentence for the clause; the list is empty for *it starts from rest*.
     """
     forms = equivalent_forms(sentence)
-    if any(form.text in RESTS for form in forms):
+    if any(form.text in REST_SENTENCES for form in forms):
         return []
     user_content = content(sentence)
     lettered = dict.fromkeys(form.content.letters for form in forms)
     first = [next(form for form in forms if form.content.letters == letters) for letters in sorted(lettered)]
     wordings = [
-        (_lettered(fill_form(form, user_content), form, user_content), form.place)
+        (_lettered(fill_form(form, user_content), form, user_content), form.position)
         for form in dict.fromkeys((*first, *forms))
     ]
-    usual = reworded(sentence)
+    usual = reword_textbook_sentence(sentence)
     return ([(usual, LAST / 2)] if usual else wordings) or None
 
 

@@ -124,7 +124,7 @@ SPELLED: Mapping[str, str] = {
     r"(?:kilometers|kilometres) (?:per|an) hour|kph|kmph": "km/h",
     r"degrees?|deg": "°",
 }
-DIGITS = 12  # significant digits of a converted number
+SIGNIFICANT_DIGITS = 12  # significant digits of a converted number
 LEAST_PLAIN, MOST_PLAIN = 1e-6, 1e9  # smaller and greater numbers are written with powers of ten
 MOST_WORDS = 5  # of a unit, as in "metres per second per second"
 _NUMBER = re.compile(
@@ -181,10 +181,10 @@ def extract_amounts(text: str) -> tuple[str, tuple[Amount, ...]]:
 def format_amount(value: float) -> str:
     """Format a number as in the library's texts, with at most twelve significant digits."""
     if value and not LEAST_PLAIN <= abs(value) < MOST_PLAIN:
-        digits, power = f"{value:.{DIGITS - 1}e}".split("e")
+        digits, power = f"{value:.{SIGNIFICANT_DIGITS - 1}e}".split("e")
         digits = digits.rstrip("0").rstrip(".")
         return f"{digits} × 10^{int(power)}".replace("-", MINUS)
-    return f"{Decimal(f'{value:.{DIGITS}g}'):f}".replace("-", MINUS)
+    return f"{Decimal(f'{value:.{SIGNIFICANT_DIGITS}g}'):f}".replace("-", MINUS)
 
 
 def _amount(number: re.Match[str], unit: str) -> Amount:

@@ -189,7 +189,7 @@ FILLERS = frozenset(
 )
 ARTICLES = r"(?:an?|another|second|one|two|three)"
 GENERIC = frozenset({"body", "object", "mass", "particle"})
-PLACES = frozenset({"surface", "plane", "slope", "incline", "inclined plane"})
+PLACE_NOUNS = frozenset({"surface", "plane", "slope", "incline", "inclined plane"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,12 +204,12 @@ def library_texts(text: str) -> list[LibraryText]:
     """Return the translations of a text, one for each kind of scene whose patterns match all of its words."""
     if len(text) > MAX_TEXT_LENGTH or RESERVED.search(text):
         return []
-    words, amounts = normalised(text)
+    words, amounts = normalize_text(text)
     translations = (_translated(scene, words, amounts) for scene in TEXTBOOK_SCENES.values())
     return [each for each in translations if each is not None]
 
 
-def superfluous(sentences: Sequence[str]) -> int | None:
+def find_superfluous_sentence(sentences: Sequence[str]) -> int | None:
     """Return the index of the one sentence without which a text can be translated; None unless it is unique."""
     if len(sentences) > MOST_SENTENCES:
         return None
@@ -218,7 +218,7 @@ def superfluous(sentences: Sequence[str]) -> int | None:
     return next(indices, None)
 
 
-def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
+def normalize_text(text: str) -> tuple[str, tuple[Amount, ...]]:
     """Return a text in lower case with placeholders for numbers and separate full stops, and its numbers."""
     masked, amounts = extract_amounts(" ".join(text.split()))
     plain = re.sub(r"[,;:()]", " ", masked.lower())
@@ -235,7 +235,7 @@ def _translated(scene: TextbookScene, words: str, amounts: tuple[Amount, ...]) -
     left = words
     for pattern in (*scene.phrases, *GENERAL):
         left = _taken(pattern, left, amounts, given) if left else ""
-    if not left or not _one(scene.place, words, PLACES) or not _one(scene.bodies, left, GENERIC):
+    if not left or not _one(scene.place, words, PLACE_NOUNS) or not _one(scene.bodies, left, GENERIC):
         return None
     left = compiled(scene.bodies).sub("|", left) if scene.bodies else left
     if any(word.strip("|") and word not in FILLERS for word in left.split()):

@@ -63,15 +63,19 @@ HITS = r"(?:(?:and|then) )?(?:hits|strikes|collides with|collides head-on with|r
 MOVING = (
     r"(?:(?:that|which) )?(?:is )?(?:initially )?(?:moving|moves|travelling|traveling|travels|rolling|sliding|slides)"
 )
-AT = r"at (?:a speed of )?"
-STILL = r"(?:(?:that|which) )?(?:is )?(?:initially )?(?P<still>at rest|stationary)"
+SPEED_PREFIX = r"at (?:a speed of )?"
+AT_REST_PATTERN = r"(?:(?:that|which) )?(?:is )?(?:initially )?(?P<still>at rest|stationary)"
 SECOND = r"(?:an?|another|a second)"
 AGAINST = (
     r"(?:(?P<toward>towards? it|in the opposite direction|the other way)|(?P<ahead>in the same direction|ahead of it))"
 )
 TRACK = r"(?:track|air track|table|surface|floor|rail)"
 BODIES = (rf"{NOUN} of (?:mass )?<m2:mass>", rf"<m2:mass> {NOUN}")
-MOTIONS = (STILL, rf"{MOVING} {AT}<v2:speed> {AGAINST}", rf"{MOVING} {AGAINST} {AT}<v2:speed>")
+MOTIONS = (
+    AT_REST_PATTERN,
+    rf"{MOVING} {SPEED_PREFIX}<v2:speed> {AGAINST}",
+    rf"{MOVING} {AGAINST} {SPEED_PREFIX}<v2:speed>",
+)
 STATIONARY = (
     rf"(?P<still>stationary) <m2:mass> {NOUN}",
     rf"<m2:mass> (?P<still>stationary) {NOUN}",
@@ -116,9 +120,9 @@ TEXTBOOK_SCENES.add(
             rf"two (?:{NOUN})s|approach(?:ing)? each other|move towards? each other",
             *(rf"{HITS} {SECOND} {body} {motion}" for body, motion in product(BODIES, MOTIONS)),
             *(rf"{HITS} {SECOND} {body}" for body in STATIONARY),
-            rf"and {SECOND} <m2:mass> {NOUN} {MOVING} (?P<toward>(?:to the )?left) {AT}<v2:speed>",
-            rf"<m1:mass> {NOUN} {MOVING} (?:(?:to the )?right )?{AT}<v1:speed>(?: to the right)?",
-            rf"{NOUN} of (?:mass )?<m1:mass> {MOVING} (?:(?:to the )?right )?{AT}<v1:speed>(?: to the right)?",
+            rf"and {SECOND} <m2:mass> {NOUN} {MOVING} (?P<toward>(?:to the )?left) {SPEED_PREFIX}<v2:speed>",
+            rf"<m1:mass> {NOUN} {MOVING} (?:(?:to the )?right )?{SPEED_PREFIX}<v1:speed>(?: to the right)?",
+            rf"{NOUN} of (?:mass )?<m1:mass> {MOVING} (?:(?:to the )?right )?{SPEED_PREFIX}<v1:speed>(?: to the right)?",
             (
                 rf"(?:(?:{NOUN}s|they|bodies) )?(?:are )?(?:initially |at first )?<gap:length>"
                 r" (?:apart|away|ahead|in front of it)"

@@ -97,7 +97,9 @@ HANGING = (
     rf"<b:mass> {ONE} (?:that |which )?(?:is )?{HANGS}",
     rf"{ONE} of (?:mass )?<b:mass> (?:that |which )?(?:is )?{HANGS}",
 )
-END = "Everything is released from rest with the string taut. There is no friction at the pulley, and every string is"
+RELEASE_SENTENCE = (
+    "Everything is released from rest with the string taut. There is no friction at the pulley, and every string is"
+)
 BODIES = (rf"an? <a:mass> {ONE}", rf"{ONE} of (?:mass )?<a:mass>", rf"{ONE} <a:mass>")
 START = "how the blocks start"
 
@@ -107,7 +109,7 @@ def _atwood(facts: Facts) -> str:
     one, other = facts.number("a", "the mass of one block"), facts.number("b", "the mass of the other block")
     return (
         f"A light string is tied to block A of mass {one}; it runs straight up, passes over a light fixed pulley and"
-        f" runs straight down to block B of mass {other}. {END} long enough. {facts.gravity}"
+        f" runs straight down to block B of mass {other}. {RELEASE_SENTENCE} long enough. {facts.gravity}"
     )
 
 
@@ -143,7 +145,7 @@ def _table(facts: Facts) -> str:
     return (
         f"Block A of mass {one} lies on a {rough}, fixed horizontal plane. {rubs}A light string tied to block A runs to"
         f" the right along the plane, passes over a light fixed pulley and runs straight down to block B ({other})."
-        f" {END} long enough. {facts.gravity}"
+        f" {RELEASE_SENTENCE} long enough. {facts.gravity}"
     )
 
 
@@ -156,7 +158,7 @@ def _incline(facts: Facts) -> str:
     return (
         f"Block A of mass {one} lies on a {rough}, fixed plane inclined at {angle} to the horizontal. {rubs}A light"
         " string tied to block A runs up the slope, passes over a light fixed pulley and runs straight down to block B"
-        f" ({other}). {END} long enough. {facts.gravity}"
+        f" ({other}). {RELEASE_SENTENCE} long enough. {facts.gravity}"
     )
 
 
