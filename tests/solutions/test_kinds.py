@@ -205,4 +205,4 @@ def test_a_number_that_hardly_changes_what_is_given_is_weighed_by_how_much_it_do
     assert solution.condition_number == pytest.approx(abs(slope) * height / time, rel=1e-6)
     known = height * (1.0 + 0.5 * RELATION_RTOL / solution.condition_number)
     assert not faults(solution, known)
-    assert faults(replace(solution, keen=1.0), known)
+    assert faults(replace(solution, condition_number=1.0), known)

@@ -192,7 +192,7 @@ class AnswerFunction:
         return (beside - here) / (STEP * value)
 
     def solve_from(self, value: float, near: float) -> float | None:
-        """Return the number for which the answer is `value`, by secants from `find_extreme_near`; None if they do not converge.
+        """Return the number for which the answer is `value`, by secants from `near`; None if they do not converge.
 
         Once the answer is accurate to `ROOT_RTOL`, one more secant step, which is not verified, improves the number.
         """

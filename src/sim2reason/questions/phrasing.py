@@ -36,7 +36,7 @@ def sentence(shape: str) -> str:
 def question_sentences(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
     """Return all sentences that ask for a quantity, a magnitude or a component, at a moment.
 
-    `use_pronoun` is the phrase for the moment with a pronoun, for use after the noun phrase has named its subject.
+    `again` is the phrase for the moment with a pronoun, for use after the noun phrase has named its subject.
     """
     if noun.timeless:
         return tuple(shape.replace(" {when}", "") for shape in _plain(noun.phrase, "{when}", "{when}"))

@@ -37,7 +37,7 @@ class _TermPowers(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """Return the number's factors in the first and second product, after its angle is turned by `change_angle`, rad."""
+        """Return the number's factors in the first and second product, after its angle is turned by `turned`, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 

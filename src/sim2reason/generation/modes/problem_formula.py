@@ -128,7 +128,7 @@ def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str)
 
 
 def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
-    """Return the value of a formula in the answer's unit (`formula_unit_factor`); 0 if undefined."""
+    """Return the value of a formula in the answer's unit (`factor`); 0 if undefined."""
     with suppress(ValueError, ArithmeticError):
         return formula.value(at).real / factor
     return 0.0

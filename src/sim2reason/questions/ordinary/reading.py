@@ -300,7 +300,7 @@ class UnderstoodQuestion:
 class Reader(NamedTuple):
     """The functions that read questions about a scene as it is.
 
-    `read` returns the meaning of a heard sentence, `read_sentence` all its readings, and `first_of` the meaning of the first
+    `read` returns the meaning of a heard sentence, `readings` all its readings, and `first_of` the meaning of the first
     reading that the scene answers.
     """
 

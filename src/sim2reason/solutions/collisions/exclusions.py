@@ -159,7 +159,7 @@ class RelativeMotion:
 
 
 def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, following: Impact) -> str:
-    """Return the sentence that two bodies, after one collision, approach the `next_collision` one; empty if obvious."""
+    """Return the sentence that two bodies, after one collision, approach the `following` one; empty if obvious."""
     book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
     pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
     if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):

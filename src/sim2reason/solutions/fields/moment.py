@@ -95,7 +95,7 @@ class FieldMoment:
         return name
 
     def _course(self, *, moved: bool = False) -> str:
-        """Return a sentence with the velocity as a function of time; with `displacement`, also that its integral is used."""
+        """Return a sentence with the velocity as a function of time; with `moved`, also that its integral is used."""
         time = self.fields.running_time
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
         phrases = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]

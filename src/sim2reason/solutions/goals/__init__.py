@@ -319,7 +319,7 @@ class VectorName:
 
     @classmethod
     def for_quantity(cls, quantity: str, said: str = "") -> Self:
-        """Return the name of a quantity or functional; its noun is the quantity itself unless `noun` is given."""
+        """Return the name of a quantity or functional; its noun is the quantity itself unless `said` is given."""
         return cls(QUANTITY_SYMBOLS[quantity], unit_of_quantity(quantity), said or quantity)
 
 

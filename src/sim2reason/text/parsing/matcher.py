@@ -64,7 +64,7 @@ class Matcher:
         return self._fitting[place, template]
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Return the end of `wanted` if it occurs at index `match_at`, else None; capitals may differ at the start."""
+        """Return the end of `wanted` if it occurs at index `at`, else None; capitals may differ at the start."""
         self._steps += 1
         if self._steps > MAX_STEPS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
@@ -75,7 +75,7 @@ class Matcher:
     def template(
         self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool = True
     ) -> Iterator[Match]:
-        """Yield the matches of a template at index `match_at`; `start` means that it begins a sentence."""
+        """Yield the matches of a template at index `at`; `start` means that it begins a sentence."""
         yield from self._slots(text, at, slots(template), owner, state, at if start else -1)
 
     def _slots(

@@ -210,7 +210,7 @@ def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
 
 
 def _with_nearest(stuck: int, sentences: tuple[str, ...]) -> TextError:
-    """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck_at` on."""
+    """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck` on."""
     unlike = first_unknown_sentence(sentences[stuck:])
     rewritten = next(recast_text(sentences), None) if unlike is None else None
     if rewritten is not None:
