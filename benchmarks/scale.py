@@ -21,7 +21,7 @@ from items import adopt_orphans, children
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.duplicates import Marks, find_duplicates
-from sim2reason.datasets.plan import DISTANCE
+from sim2reason.datasets.plan import DEFAULT_DISTANCE
 
 SUPPORT = Path(__file__).resolve().parent.parent / "tests" / "support"
 CODE = "from sim2reason.cli import main; main()"
@@ -82,7 +82,7 @@ def marks(number: int, items: int) -> Marks:
 def distinct(items: int) -> None:
     """The pass itself, in a process of its own."""
     begin, gone = time.process_time(), [0, 0]
-    for _, found in find_duplicates(lambda number: marks(number, items), -(-items // MARKED), items, DISTANCE):
+    for _, found in find_duplicates(lambda number: marks(number, items), -(-items // MARKED), items, DEFAULT_DISTANCE):
         for each in found:
             gone[each.alike] += 1
     print(f"{gone[0]} the same, {gone[1]} alike; {time.process_time() - begin:.0f} CPU-s")

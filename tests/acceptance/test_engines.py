@@ -4,7 +4,7 @@ import pytest
 
 from cells import CELLS, drawn
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH, certify_trace
+from sim2reason.simulation.certify import CHANGES, EVENTFUL_RTOL, SMOOTH_RTOL, certify_trace
 from sim2reason.simulation.scenes import simulate
 
 SCENES = [3, pytest.param(20, marks=pytest.mark.slow)]  # of each cell; benchmarks/certified.py takes 100
@@ -21,7 +21,7 @@ def test_most_scenes_are_certified_as_long_as_their_motion_is_described(
         described = simulate(scene)
         trace, certificate = certify_trace(described)
         changes = any(match.event.kind in CHANGES for match in certificate.matched)
-        assert certificate.tolerance == (EVENTFUL if changes else SMOOTH)
+        assert certificate.tolerance == (EVENTFUL_RTOL if changes else SMOOTH_RTOL)
         if 0.0 < described.stable_until <= certificate.stable_until * (1.0 + 1e-6):
             certified += 1
             assert max(certificate.agreement.values()) <= certificate.tolerance
@@ -30,4 +30,4 @@ def test_most_scenes_are_certified_as_long_as_their_motion_is_described(
 
 
 def test_the_tolerances_are_those_promised() -> None:
-    assert (SMOOTH, EVENTFUL) == (1e-4, 1e-3)
+    assert (SMOOTH_RTOL, EVENTFUL_RTOL) == (1e-4, 1e-3)

@@ -13,7 +13,7 @@ from sim2reason.datasets.places.here import cores
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.store import count
 from sim2reason.errors import DatasetError
-from sim2reason.generation.request import LARGEST
+from sim2reason.generation.request import MAX_SEED
 
 Make = Callable[..., Manifest]
 Contents = Callable[[Path], dict[str, bytes]]
@@ -410,7 +410,7 @@ def test_a_dataset_without_end_begins_at_once(tmp_path: Path, config: Config) ->
             raise EnoughError
 
     with pytest.raises(EnoughError):
-        build(tmp_path / "endless", config.model_copy(update={"items": LARGEST}), workers=1, advance=stop)
+        build(tmp_path / "endless", config.model_copy(update={"items": MAX_SEED}), workers=1, advance=stop)
 
 
 def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:

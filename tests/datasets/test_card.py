@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.card import SIZES, command
-from sim2reason.datasets.card_content import EXAMPLES, SHOWN, choose_examples, count_histograms, histogram
+from sim2reason.datasets.card_content import EXAMPLE_COUNT, SHOWN, choose_examples, count_histograms, histogram
 from sim2reason.datasets.dataset import Dataset, verify
 from sim2reason.datasets.generate import Order, build_config, generate
 from sim2reason.datasets.manifest import Manifest, load
@@ -56,7 +56,7 @@ def test_the_card_counts_by_everything_and_shows_examples(make: Make, tmp_path: 
         assert f"\n## By {title}\n" in text
     assert "| weight |" in text
     assert "| distinct: alike |" in text
-    assert all(f"\n## Example {number}\n" in text for number in range(1, EXAMPLES + 1))
+    assert all(f"\n## Example {number}\n" in text for number in range(1, EXAMPLE_COUNT + 1))
     assert "no pictures: matplotlib was missing" in text
     assert "\n\n\n" not in text
 

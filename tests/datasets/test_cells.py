@@ -8,8 +8,17 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.dataset import verify
-from sim2reason.datasets.manifest import FALSE_ALARM, LEAST_KEPT, Cell, Manifest, empty, failure_limit, load, table
-from sim2reason.generation.item_search import EMPTY
+from sim2reason.datasets.manifest import (
+    FALSE_ALARM_PROBABILITY,
+    MIN_KEPT_SHARE,
+    Cell,
+    Manifest,
+    empty,
+    failure_limit,
+    load,
+    table,
+)
+from sim2reason.generation.item_search import MAX_EMPTY_SCENES
 from sim2reason.generation.make import make as make_item
 from sim2reason.generation.question_search import NOTHING
 from sim2reason.generation.request import Request
@@ -30,7 +39,11 @@ def test_the_table_counts_what_was_asked_for_and_what_was_kept() -> None:
 def test_enough_is_where_the_binomial_tail_of_all_cells_falls_below_the_false_alarm(cells: int) -> None:
     """P(none of n) = (1 − p)^n; the sum over all cells bounds the probability of any empty one (Bonferroni)."""
     number = failure_limit(cells)
-    assert cells * (1.0 - LEAST_KEPT) ** number <= FALSE_ALARM < cells * (1.0 - LEAST_KEPT) ** (number - 1)
+    assert (
+        cells * (1.0 - MIN_KEPT_SHARE) ** number
+        <= FALSE_ALARM_PROBABILITY
+        < cells * (1.0 - MIN_KEPT_SHARE) ** (number - 1)
+    )
 
 
 def test_only_a_cell_that_was_asked_for_often_enough_is_an_error() -> None:
@@ -87,7 +100,7 @@ def test_a_cell_of_which_no_scene_offers_a_kind_was_not_asked_for() -> None:
     made = make_item(Request("projectile", "easy", "numeric", 0, 0, weights))
     assert (made.item, made.wanted) == (None, "")
     assert made.rejected.keys() == {NOTHING}
-    assert made.rejected[NOTHING] >= EMPTY
+    assert made.rejected[NOTHING] >= MAX_EMPTY_SCENES
 
 
 def test_a_dataset_of_which_nothing_could_be_made_is_an_error(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from fake_makers import steady
 from sim2reason.cli import main
 from sim2reason.datasets import contamination
-from sim2reason.datasets.contamination import RUN, Benchmarks, words
+from sim2reason.datasets.contamination import RUN_LENGTH, Benchmarks, words
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import Order, generate
 from sim2reason.datasets.manifest import read_refusals
@@ -59,7 +59,7 @@ def test_a_variant_of_a_benchmarks_problem_is_found_in_any_file(tmp_path: Path, 
     found = Benchmarks([path]).overlap(VARIANT)
     assert found is not None
     assert (found.file, found.item) == (path.name, 2)
-    assert len(found.words.split()) == RUN
+    assert len(found.words.split()) == RUN_LENGTH
     assert found.words.startswith("block of mass kg rests on rough incline of angle")
     assert Benchmarks([path]).overlap(REWORDED) is None
 
@@ -147,7 +147,7 @@ def test_what_meets_a_benchmark_is_left_out_and_told(
 ) -> None:
     first = steady(Request("incline", "easy", "numeric", 0, 0)).item
     assert first is not None
-    (tmp_path / "own.txt").write_text(" ".join(words(first.prompt)[:RUN]))
+    (tmp_path / "own.txt").write_text(" ".join(words(first.prompt)[:RUN_LENGTH]))
     for name, workers in (("one", 1), ("two", 2)):
         generate(tmp_path / name, workers=workers, decontaminate=[tmp_path / "own.txt"], **_order())
     found = list(read_refusals(tmp_path / "one", "contaminated"))

@@ -12,7 +12,7 @@ from sim2reason.datasets.items import item, sample, stream
 from sim2reason.datasets.manifest import Manifest, merge_counts
 from sim2reason.datasets.plan import Config, file_name
 from sim2reason.errors import DrawError
-from sim2reason.generation.request import LARGEST, Request, versions
+from sim2reason.generation.request import MAX_SEED, Request, versions
 
 NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), min_size=1, unique=True).map(tuple)
 
@@ -77,9 +77,9 @@ def test_shards_are_named_as_the_hub_does() -> None:
 
 
 def test_positions_are_not_counted_out() -> None:
-    config = Config(items=LARGEST, recipes=("a", "b"))
-    assert config.positions(config.shards(LARGEST) - 1, LARGEST).stop == LARGEST
-    assert config.position(config.request(LARGEST - 1)) == LARGEST - 1
+    config = Config(items=MAX_SEED, recipes=("a", "b"))
+    assert config.positions(config.shards(MAX_SEED) - 1, MAX_SEED).stop == MAX_SEED
+    assert config.position(config.request(MAX_SEED - 1)) == MAX_SEED - 1
 
 
 def test_a_request_of_another_configuration_has_no_position() -> None:
@@ -165,9 +165,9 @@ def test_whole_numbers_of_numpy_are_as_good() -> None:
     assert (type(request.seed), type(request.index)) == (int, int)
 
 
-@pytest.mark.parametrize(("seed", "index"), [(-1, 0), (0, -1), (LARGEST + 1, 0)])
+@pytest.mark.parametrize(("seed", "index"), [(-1, 0), (0, -1), (MAX_SEED + 1, 0)])
 def test_coordinates_are_what_a_shard_can_hold(seed: int, index: int) -> None:
     with pytest.raises(DrawError, match="is no whole number from 0 to"):
         Request("pulley", "easy", "numeric", seed, index)
     with pytest.raises(ValidationError):
-        Config(items=1, recipes=("pulley",), seed=seed or LARGEST + 1)
+        Config(items=1, recipes=("pulley",), seed=seed or MAX_SEED + 1)

@@ -8,7 +8,7 @@ import sim2reason
 from sim2reason.datasets.items import make_item
 from sim2reason.datasets.plan import find_needs
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
-from sim2reason.generation.item_search import SHARE, SIMPLE, allowed_needs
+from sim2reason.generation.item_search import EVERY_NEED_PROBABILITY, SIMPLE, allowed_needs
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES, ELEMENTARY, EVERY, NEEDS, Need
 from sim2reason.solutions import solve
@@ -22,7 +22,7 @@ def test_few_requests_may_be_filled_by_what_needs_more() -> None:
     drawn = [allowed_needs(request) for request in requests]
     assert {*drawn} == {SIMPLE, EVERY}
     assert drawn == [allowed_needs(request) for request in requests]
-    assert abs(drawn.count(EVERY) / len(drawn) - SHARE) < 0.02
+    assert abs(drawn.count(EVERY) / len(drawn) - EVERY_NEED_PROBABILITY) < 0.02
     assert max(SIMPLE) == ELEMENTARY
 
 

@@ -6,7 +6,7 @@ import random
 import pytest
 
 from sim2reason.grading import Score, formula
-from sim2reason.grading.arithmetic import POINTS
+from sim2reason.grading.arithmetic import TEST_POINTS
 
 OWN = {"m": 2.0, "g": 9.8, "h": 3.0, "m_1": 2.0, "m_2": 3.0, "theta": 1e-3, "v": 5.0, "k": 1.2}
 
@@ -18,7 +18,10 @@ def graded(answer: str, reference: str, bindings: object, **options: object) -> 
 def near(width: float) -> list[dict[str, float]]:
     """Return the bindings of an item: its own numbers, and each of them times a random factor."""
     rng = random.Random(7)
-    return [OWN, *({name: x * math.exp(rng.uniform(-width, width)) for name, x in OWN.items()} for _ in range(POINTS))]
+    return [
+        OWN,
+        *({name: x * math.exp(rng.uniform(-width, width)) for name, x in OWN.items()} for _ in range(TEST_POINTS)),
+    ]
 
 
 BINDINGS = {"own": OWN, "near": near(0.08), "wide": near(1.1), "none": None}
@@ -110,7 +113,7 @@ def test_a_direction_signs_a_bare_formula() -> None:
 @pytest.mark.parametrize("before", ["", r"a = \frac{g\sqrt{h-2.8}}{\sqrt{h-2.8}} = ", r"a = g = "])
 def test_behind_the_items_own_points_no_side_needs_a_value(before: str) -> None:
     answer = rf"{before}\frac{{g\sqrt{{h-2}}}}{{\sqrt{{h-2}}}}"
-    own = [{"g": 9.8, "h": 3 + step / 100} for step in range(POINTS)]
+    own = [{"g": 9.8, "h": 3 + step / 100} for step in range(TEST_POINTS)]
     assert graded(answer, "g", own, symbols={"g", "h"}, ranges={"g": (5, 15), "h": (1, 5)}).reward
     assert not graded(f"a = 2g = {answer}", "g", own, symbols={"g", "h"}).reward
     outside = [{**point, "h": point["h"] - 2} for point in own]
@@ -119,7 +122,7 @@ def test_behind_the_items_own_points_no_side_needs_a_value(before: str) -> None:
 
 def test_angles_stay_within_their_quadrant() -> None:
     """A formula without bars passes if its value is positive for all θ between 90° and 180°."""
-    bindings = [{"g": 9.8, "theta": 1.7 + 0.15 * count} for count in range(POINTS + 1)]
+    bindings = [{"g": 9.8, "theta": 1.7 + 0.15 * count} for count in range(TEST_POINTS + 1)]
     assert graded(r"g\sin\theta", r"|g\sin\theta|", bindings, symbols=["g", "theta"]).reward
     assert not graded(r"g\cos\theta", r"|g\cos\theta|", bindings, symbols=["g", "theta"]).reward
 
@@ -128,5 +131,5 @@ def test_angles_stay_within_their_quadrant() -> None:
     "answer", [r"v\cos\alpha\sqrt{2gh}", r"\cos\alpha v\sqrt{2gh}", r"v\cos\alpha\sqrt{2g}\sqrt{h}"]
 )
 def test_an_angle_ends_an_argument(answer: str) -> None:
-    bindings = [{"g": 9.8, "h": 1.0 + 0.1 * count, "v": 2.0, "alpha": 0.5} for count in range(POINTS + 1)]
+    bindings = [{"g": 9.8, "h": 1.0 + 0.1 * count, "v": 2.0, "alpha": 0.5} for count in range(TEST_POINTS + 1)]
     assert graded(answer, r"v \sqrt{2\,g h} \cos\alpha", bindings, symbols=["g", "h", "v", "alpha"]).reward

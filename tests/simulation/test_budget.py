@@ -10,7 +10,7 @@ from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.settling import Settling
 from sim2reason.simulation.engines.mujoco import model
-from sim2reason.simulation.trace import ENGINES, FINEST, Budget
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Budget
 
 
 def singing() -> Mechanism:
@@ -33,9 +33,13 @@ def test_work_is_counted_alike_each_time() -> None:
     """The count is independent of the clock: the same motion costs the same."""
     spent: list[int] = []
     for _ in range(2):
-        run = Settling(singing(), 1e-4, FINEST)
+        run = Settling(singing(), 1e-4, DEFAULT_STEP_RTOL)
         flow = Flow(
-            VariableEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set(), ()), FINEST
+            VariableEquations(run.system),
+            run.instant(),
+            run.phase,
+            run.balance(run.instant(), set(), ()),
+            DEFAULT_STEP_RTOL,
         )
         flow.advance(1e-4, 1e-4)
         spent.append(run.system.budget.all - run.system.budget.left)

@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation import certify as module
-from sim2reason.simulation.certify import EVENTFUL, SMOOTH, Certificate, certify, compare, truncated
+from sim2reason.simulation.certify import EVENTFUL_RTOL, SMOOTH_RTOL, Certificate, certify, compare, truncated
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import ENGINES, Channel, Event, Trace
 from states import altered
@@ -55,9 +55,9 @@ def test_true_engines_are_certified_to_the_physical_end(name: str) -> None:
 
 
 def test_the_tolerance_depends_on_what_happens() -> None:
-    assert compare(*both(machines.atwood(2.0, 2.2))).tolerance == SMOOTH
-    assert compare(*both(machines.atwood())).tolerance == SMOOTH  # a block that reaches its pulley jerks nothing
-    assert compare(*both(machines.carts())).tolerance == EVENTFUL
+    assert compare(*both(machines.atwood(2.0, 2.2))).tolerance == SMOOTH_RTOL
+    assert compare(*both(machines.atwood())).tolerance == SMOOTH_RTOL  # a block that reaches its pulley jerks nothing
+    assert compare(*both(machines.carts())).tolerance == EVENTFUL_RTOL
 
 
 def test_a_coordinate_scaled_by_a_thousandth_is_noticed() -> None:

@@ -22,7 +22,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.engines.exact.native import uses_native_core
-from sim2reason.simulation.trace import FINEST, Trace
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, Trace
 from spoiled_mechanisms import collapse, spoiled
 
 SAMPLES = 23
@@ -71,7 +71,7 @@ def main() -> None:
     for family in given.families:
         for index in range(given.count):
             mechanism = RANDOM[family](index) if family in RANDOM else drawn(family, index)
-            for tolerance in (FINEST, 1e-6):
+            for tolerance in (DEFAULT_STEP_RTOL, 1e-6):
                 found[f"{family} {index} {tolerance}"] = digest(mechanism, tolerance)
     sys.stdout.write(json.dumps(found))
 

@@ -34,7 +34,7 @@ MAX_BYTES = 65_536
 MAX_DEPTH = 16
 MAX_NODES = 4_000
 MAX_DIGITS = 40  # the longest repr of a float has 24 characters
-WIDTH = 100  # characters; a mapping of scalars up to this width is written on one line
+MAX_FLOW_WIDTH = 100  # characters; a mapping of scalars up to this width is written on one line
 
 NUMBER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?", re.ASCII)
 """The spelling of numbers that means the same to all readers: 012 and 1:30 do not."""
@@ -236,7 +236,7 @@ def _flow(value: Plain) -> str | None:
         text = "{" + ", ".join(f"{key}: {text}" for key, text in zip(value, texts, strict=True)) + "}"
     else:
         text = "[" + ", ".join(texts) + "]"
-    return text if len(text) <= WIDTH or not members else None
+    return text if len(text) <= MAX_FLOW_WIDTH or not members else None
 
 
 def _scalar_text(value: object) -> str:

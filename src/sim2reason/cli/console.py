@@ -26,7 +26,7 @@ RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
 SELDOM, OFTEN = 15.0, 1.0  # s between lines about work where there is no terminal; the second with --verbose
 VERBOSE = "sim2reason.verbose"
 """Where a context keeps whether all is to be told."""
-WIDTH = 88  # characters of a line of a problem
+LINE_WIDTH = 88  # characters of a line of a problem
 LONGEST_TIMER = 1e6  # s, some days: timers of systems go no further
 
 
@@ -106,7 +106,7 @@ def tell_problem(item: "Item", *, scene: bool = False, solution: bool = False) -
     """Print a problem and its answer, optionally with its scene and solution."""
     click.secho(item.id, bold=True)
     for line in item.prompt.splitlines():
-        click.echo(fill(line, WIDTH, break_long_words=False, break_on_hyphens=False))
+        click.echo(fill(line, LINE_WIDTH, break_long_words=False, break_on_hyphens=False))
     click.echo(f"\nAnswer: {item.answer.shown}")
     click.echo(f"Needs: {item.needs}\n")
     if solution:

@@ -9,12 +9,12 @@ from click.core import ParameterSource
 from sim2reason.cli import console, options
 from sim2reason.datasets.build import Work, build, build_part
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.generate import ITEMS, Order, build_config, files_to_avoid, read_order
+from sim2reason.datasets.generate import DEFAULT_ITEMS, Order, build_config, files_to_avoid, read_order
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import DEFAULT_TIMEOUT, HERE
-from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
+from sim2reason.datasets.plan import DEFAULT_DISTANCE, DEFAULT_SHARD_ROWS, LICENSE, MAKER, MAX_SHARD_ROWS
 from sim2reason.datasets.worker import Attempt
-from sim2reason.generation.request import LARGEST
+from sim2reason.generation.request import MAX_SEED
 
 EXAMPLE = """\b
 Example:
@@ -36,7 +36,7 @@ are to be had than are asked for.
 
 @click.command("generate", epilog=EXAMPLE)
 @click.argument("out", type=click.Path(file_okay=False, path_type=Path))
-@options.items(ITEMS, 0, LARGEST)
+@options.items(DEFAULT_ITEMS, 0, MAX_SEED)
 @options.recipe()
 @options.difficulty()
 @options.mode()
@@ -71,7 +71,7 @@ are to be had than are asked for.
 @click.option(
     "--distance",
     type=click.FloatRange(0.0, 1.0),
-    default=DISTANCE,
+    default=DEFAULT_DISTANCE,
     show_default=True,
     help="Variants of a problem differ in some number by this much, relatively; 0 keeps all that differ.",
 )
@@ -88,8 +88,8 @@ are to be had than are asked for.
 @click.option(
     "--shard-size",
     "shard",
-    type=click.IntRange(1, LARGEST_SHARD),
-    default=SHARD,
+    type=click.IntRange(1, MAX_SHARD_ROWS),
+    default=DEFAULT_SHARD_ROWS,
     show_default=True,
     help="Problems in one file.",
 )

@@ -9,7 +9,7 @@ import click
 from sim2reason.cli.console import RESULT, VERBOSE, comma_separated
 
 ALL = "all"
-LARGEST = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
+MAX_SEED = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
 STRICTEST, TOLERANCE = 0.005, 0.05  # as of an item's answer, likewise
 Names = str | tuple[str, ...]
 """One name, several, or all."""
@@ -107,18 +107,18 @@ def one_mode() -> Callable[[F], F]:
 
 def seed(text: str) -> Callable[[F], F]:
     """Return a decorator that adds the option for a random seed."""
-    return click.option("--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
+    return click.option("--seed", type=click.IntRange(0, MAX_SEED), default=0, show_default=True, help=text)
 
 
 def wording() -> Callable[[F], F]:
     """Return a decorator that adds --seed for a text whose wording a scene file may state."""
     text = "Of the wording, as in describe; by default that which the file states, or 0."
-    return click.option("--seed", type=click.IntRange(0, LARGEST), default=None, help=text)
+    return click.option("--seed", type=click.IntRange(0, MAX_SEED), default=None, help=text)
 
 
 def index(text: str) -> Callable[[F], F]:
     """Return a decorator that adds the option for the index of a problem in its series."""
-    return click.option("--index", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
+    return click.option("--index", type=click.IntRange(0, MAX_SEED), default=0, show_default=True, help=text)
 
 
 def items(default: int, minimum: int, most: int | None, text: str = "How many problems.") -> Callable[[F], F]:

@@ -75,7 +75,7 @@ ASK_EXAMPLE = """\b
 Example:
     sim2reason ask scene.yaml -n 5 --seed 0
 """
-WIDTH = 100
+LINE_WIDTH = 100
 
 
 @click.command("ask", epilog=ASK_EXAMPLE)
@@ -133,11 +133,11 @@ def _tell_questions(result: "AskedScene") -> None:
 
 def _print_wrapped(text: str) -> None:
     for line in text.splitlines():
-        click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
+        click.echo(line if line.startswith("|") else fill(line, LINE_WIDTH, break_on_hyphens=False))
 
 
 PARTS = ("find", "of", "when", "along", "given", "change")
-LONG = 3  # reasons, from which on they are printed as a table
+MIN_TABLE_ROWS = 3  # reasons, from which on they are printed as a table
 SOLVE_EXAMPLE = """\b
 Example:
     sim2reason solve --id pulley-easy-numeric-0-4
@@ -246,7 +246,7 @@ def _tell_solution(solved: "SolvedProblem", *, of_scene: bool) -> None:
 def _explain_strategies(found: "Solution") -> None:
     """Print why there is no worked solution, as a table for three or more strategies."""
     tried = [row.partition(": ")[::2] for row in found.reason.split("; ")]
-    if len(tried) < LONG:
+    if len(tried) < MIN_TABLE_ROWS:
         console.explain(f"sim2reason: no worked solution: {found.reason}")
         return
     console.explain("sim2reason: no worked solution:")

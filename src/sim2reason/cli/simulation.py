@@ -72,7 +72,7 @@ Example:
 
 Exit code 0: simulated; 1: the engines disagree (--engine both); 2: a scene that can't be simulated.
 """
-PATIENCE = 20.0  # s; a safety net: budgets are counted in steps
+WORKER_TIMEOUT = 20.0  # s; a safety net: budgets are counted in steps
 SHOWN = ("displacement", "velocity", "acceleration", "tension", "normal force", "friction force")
 STUCK = {
     "indeterminate": "give it a mass or hang something on it",
@@ -100,7 +100,7 @@ Summary = dict[str, Any]
 @click.option("--truncate", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
 @options.out("Write the trace to this .parquet file.")
 @options.to_json()
-@click.option("--patience", type=console.Seconds(0.01, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
+@click.option("--patience", type=console.Seconds(0.01, console.LONGEST_TIMER), default=WORKER_TIMEOUT, hidden=True)
 def simulate_command(
     scene: Path,
     engine: str,

@@ -11,7 +11,7 @@ from shlex import quote
 
 from sim2reason.datasets.card_content import SHOWN, Example, example_file, histogram_file
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
-from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
+from sim2reason.datasets.plan import DATA, DEFAULT_DISTANCE, LICENSE, TRAIN, Config
 from sim2reason.generation.request import SI
 from sim2reason.questions.accuracy import TOLERANCE
 
@@ -206,7 +206,7 @@ def command(config: Config) -> str:
         "--solutions" * config.solutions,
         "--unfiltered" * config.unfiltered,
         f"--split {_pairs(config.split)}" * (list(config.split) != [TRAIN]),
-        f"--distance {config.distance!r}" * (config.distance != DISTANCE),
+        f"--distance {config.distance!r}" * (config.distance != DEFAULT_DISTANCE),
         *(f"--decontaminate {quote(file.name)}" for file in config.decontaminate),
         f"--license {config.license}" * (config.license != LICENSE),
     ]

@@ -101,7 +101,7 @@ def _ordered(names: Iterable[str]) -> list[str]:
     return sorted(names, key=lambda name: (known.get(name, len(known)), name))
 
 
-EXAMPLES = 6
+EXAMPLE_COUNT = 6
 VARIED = "recipe", "kind", "difficulty", "mode", "shape"
 """In what examples should differ, what counts most first."""
 
@@ -119,7 +119,7 @@ class Example(NamedTuple):
 def choose_examples(items: Iterable[Item]) -> list[Item]:
     """Return a few items that differ in as many properties as possible; ties go to the first."""
     waiting, chosen = list(items), list[Item]()
-    while waiting and len(chosen) < EXAMPLES:
+    while waiting and len(chosen) < EXAMPLE_COUNT:
         seen = {name: [getattr(item, name) for item in chosen] for name in VARIED}
         best = min(waiting, key=lambda item: [seen[name].count(getattr(item, name)) for name in VARIED])
         waiting.remove(best)

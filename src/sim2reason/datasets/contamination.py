@@ -22,9 +22,9 @@ from sim2reason.generation.item import Record
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 
-LARGEST_FILE = 2**30  # bytes
-LARGEST_PART = 2**25  # bytes read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows
-ROWS = 100  # of a Parquet file, read at once
+MAX_FILE_SIZE = 2**30  # bytes
+MAX_PART_SIZE = 2**25  # bytes read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows
+ROWS_PER_READ = 100  # of a Parquet file, read at once
 MAX_DEPTH = 100  # levels of nested lists and objects in one item
 
 
@@ -41,8 +41,8 @@ def benchmark_file_record(path: Path) -> BenchmarkFile:
         raise DatasetError(f"{path}: no such file; give the file of a benchmark, a {' or '.join(READERS)}")
     if path.suffix.lower() not in READERS:
         raise DatasetError(f"{path}: not a kind of file that is read; give {' or '.join(READERS)}")
-    if path.stat().st_size > LARGEST_FILE:
-        raise DatasetError(f"{path}: larger than {LARGEST_FILE} bytes; give it in several files")
+    if path.stat().st_size > MAX_FILE_SIZE:
+        raise DatasetError(f"{path}: larger than {MAX_FILE_SIZE} bytes; give it in several files")
     try:
         path.name.encode()
     except UnicodeEncodeError:
@@ -77,8 +77,8 @@ def _strings(value: object) -> Iterator[str]:
 
 
 def _json(path: Path) -> Iterable[object]:
-    if path.stat().st_size > LARGEST_PART:
-        raise DatasetError(f"a .json of more than {LARGEST_PART} bytes; write it as .jsonl, an item in each line")
+    if path.stat().st_size > MAX_PART_SIZE:
+        raise DatasetError(f"a .json of more than {MAX_PART_SIZE} bytes; write it as .jsonl, an item in each line")
     return _members(json.loads(path.read_bytes()))
 
 
@@ -93,9 +93,9 @@ def _members(value: object) -> Iterable[object]:
 
 def _lines(path: Path) -> Iterator[str]:
     with path.open("rb") as file:
-        while line := file.readline(LARGEST_PART):
-            if len(line) == LARGEST_PART:
-                raise DatasetError(f"a line of more than {LARGEST_PART} bytes")
+        while line := file.readline(MAX_PART_SIZE):
+            if len(line) == MAX_PART_SIZE:
+                raise DatasetError(f"a line of more than {MAX_PART_SIZE} bytes")
             yield line.decode("utf-8-sig")
 
 
@@ -113,8 +113,8 @@ def _bounded(lines: Iterable[str]) -> Iterator[str]:
     size = 0
     for line in lines:
         size += len(line)
-        if size > LARGEST_PART:
-            raise DatasetError(f"a paragraph of more than {LARGEST_PART} characters")
+        if size > MAX_PART_SIZE:
+            raise DatasetError(f"a paragraph of more than {MAX_PART_SIZE} characters")
         yield line
 
 
@@ -126,12 +126,12 @@ def _parquet(path: Path) -> Iterator[object]:
     try:
         file = pq.ParquetFile(path)
         size = sum(file.metadata.row_group(n).total_byte_size for n in range(file.metadata.num_row_groups))
-        if size > LARGEST_FILE:
-            raise DatasetError(f"more than {LARGEST_FILE} bytes when unpacked")
+        if size > MAX_FILE_SIZE:
+            raise DatasetError(f"more than {MAX_FILE_SIZE} bytes when unpacked")
         columns = [field.name for field in file.schema_arrow if "string" in str(field.type)]
-        for batch in file.iter_batches(batch_size=ROWS, columns=columns) if columns else ():
-            if batch.nbytes > LARGEST_PART:
-                raise DatasetError(f"{ROWS} rows of more than {LARGEST_PART} bytes")
+        for batch in file.iter_batches(batch_size=ROWS_PER_READ, columns=columns) if columns else ():
+            if batch.nbytes > MAX_PART_SIZE:
+                raise DatasetError(f"{ROWS_PER_READ} rows of more than {MAX_PART_SIZE} bytes")
             yield from batch.to_pylist()
     except (pa.ArrowException, OSError) as error:
         raise ValueError(str(error)) from error
@@ -145,7 +145,7 @@ READERS: dict[str, Callable[[Path], Iterable[object]]] = {
 }
 
 
-RUN = 10
+RUN_LENGTH = 10
 """Words in a row that no problem may have in common with a benchmark.
 
 A quarter of what problems say are numbers and symbols, so ten words are about the usual thirteen with them. Of 2000
@@ -177,7 +177,7 @@ class Overlap(NamedTuple):
 class Benchmarks:
     """The word sequences in files of benchmarks, which no problem of a dataset may contain."""
 
-    def __init__(self, paths: Sequence[Path | str], run: int = RUN) -> None:
+    def __init__(self, paths: Sequence[Path | str], run: int = RUN_LENGTH) -> None:
         """Read the files; DatasetError for an unreadable, empty or too large file."""
         self._run = run
         self.files: tuple[BenchmarkFile, ...] = tuple(benchmark_file_record(Path(path)) for path in paths)

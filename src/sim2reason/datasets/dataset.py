@@ -20,7 +20,7 @@ from sim2reason.generation.item import Item
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
 
-SHOWN = 300  # characters of an error message of the Hub's library
+MAX_MESSAGE_LENGTH = 300  # characters of an error message of the Hub's library
 IGNORED = "**/.*", ".*"
 """What is of this machine alone."""
 
@@ -41,14 +41,14 @@ def push(path: Path, repository: str, *, private: bool, token: str | None, messa
             ignore_patterns=list(IGNORED),
         )
     except (errors.HfHubHTTPError, errors.HFValidationError, errors.LocalTokenNotFoundError, OSError) as error:
-        why = " ".join(str(error).split())[:SHOWN]
+        why = " ".join(str(error).split())[:MAX_MESSAGE_LENGTH]
         remedy = "check the name, and log in with: hf auth login"
         raise DatasetError(f"{repository}: the hub did not take the dataset: {why}; {remedy}") from None
     return str(address)
 
 
-LONGEST_NAME = 80  # characters of an unknown id that are shown
-STRIDE = 7919  # a prime, so that samples do not correlate with the cycle of recipes and difficulties
+MAX_NAME_LENGTH = 80  # characters of an unknown id that are shown
+SAMPLE_STRIDE = 7919  # a prime, so that samples do not correlate with the cycle of recipes and difficulties
 WantedTexts = Mapping[str, Collection[str]]
 """The texts that a column may hold, by its name: ``{"recipe": ["pulley"], "asked.quantity": ["speed"]}``."""
 
@@ -240,7 +240,7 @@ class Dataset:
         some = bool(wanted) or splits != self.splits()
         rows = sum(len(self._matching_positions(file, wanted)) for file in self._files(splits)) if some else len(self)
         wide = rows // max(count, 1)  # one is taken from each stretch of so many
-        chosen = (n * rows // count + n * STRIDE % wide for n in range(count)) if wide else iter(range(rows))
+        chosen = (n * rows // count + n * SAMPLE_STRIDE % wide for n in range(count)) if wide else iter(range(rows))
         position, behind = next(chosen, None), 0
         for file in self._files(splits):
             if position is None:
@@ -310,7 +310,7 @@ class Dataset:
 def quote_id(name: object) -> str:
     """Return an id in quotes, shortened if very long; the repr of any other object."""
     text = str(name)
-    return repr(name) if len(text) <= LONGEST_NAME else repr(f"{text[:LONGEST_NAME]}…")
+    return repr(name) if len(text) <= MAX_NAME_LENGTH else repr(f"{text[:MAX_NAME_LENGTH]}…")
 
 
 def _value(row: Row, name: str) -> object:

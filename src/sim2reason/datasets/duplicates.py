@@ -16,10 +16,10 @@ from sim2reason.scenes.files import load
 
 Logarithms = NDArray[np.float32]
 """Of the sizes of numbers: ratios are differences, to six digits."""
-BLOCK = 500_000  # items whose cells are computed at once
-ROUNDING = 1e-5  # relative widening of cells against rounding errors
-_MIX = 0x9E3779B97F4A7C15  # odd, so that multiplication is reversible
-_AGAIN = 0xBF58476D1CE4E5B9
+BLOCK_ITEMS = 500_000  # items whose cells are computed at once
+CELL_WIDENING = 1e-5  # relative widening of cells against rounding errors
+_MIX_MULTIPLIER = 0x9E3779B97F4A7C15  # odd, so that multiplication is reversible
+_SECOND_MULTIPLIER = 0xBF58476D1CE4E5B9
 
 
 class Variant(NamedTuple):
@@ -78,7 +78,7 @@ def too_close(variants: Variants, distance: float) -> Iterator[tuple[int, int]]:
     starts = np.concatenate([[0], np.cumsum(variants.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
-    for row, cells in _neighbours(variants, starts, float(limit) * (1.0 + ROUNDING)):
+    for row, cells in _neighbours(variants, starts, float(limit) * (1.0 + CELL_WIDENING)):
         near = _first(variants, starts, row, sorted({other for cell in cells for other in stay.get(cell, ())}), limit)
         if near is not None:
             yield int(variants.positions[row]), int(variants.positions[near])
@@ -111,7 +111,8 @@ def _neighbours(variants: Variants, starts: NDArray[np.int64], limit: float) -> 
     for grid in range(int(variants.counts.max(initial=0)) + 1):
         inside = np.flatnonzero(variants.counts >= grid)
         parts = [
-            _cells(variants, starts, inside[n : n + BLOCK], grid, limit) for n in range(0, max(len(inside), 1), BLOCK)
+            _cells(variants, starts, inside[n : n + BLOCK_ITEMS], grid, limit)
+            for n in range(0, max(len(inside), 1), BLOCK_ITEMS)
         ]
         cells = np.concatenate(parts)
         repeated = repeated_values(cells.copy())
@@ -136,11 +137,13 @@ def _cells(
     values = variants.logarithms[np.repeat(starts[rows], counts) + offsets].astype(np.float64)
     width = np.repeat((counts + 1) * limit, counts)
     cell = np.floor((values + grid * limit) / width).astype(np.int64).astype(np.uint64)
-    mixed = (cell * np.uint64(_MIX) ^ (offsets.astype(np.uint64) + np.uint64(1)) * np.uint64(_AGAIN)) * np.uint64(_MIX)
+    mixed = (
+        cell * np.uint64(_MIX_MULTIPLIER) ^ (offsets.astype(np.uint64) + np.uint64(1)) * np.uint64(_SECOND_MULTIPLIER)
+    ) * np.uint64(_MIX_MULTIPLIER)
     mixed ^= mixed >> np.uint64(29)
-    sums = np.concatenate([np.zeros(1, np.uint64), np.cumsum(mixed * np.uint64(_AGAIN), dtype=np.uint64)])
+    sums = np.concatenate([np.zeros(1, np.uint64), np.cumsum(mixed * np.uint64(_SECOND_MULTIPLIER), dtype=np.uint64)])
     total = sums[ends] - sums[ends - counts]  # whole numbers of 64 bits overflow, and differences are right again
-    return total ^ (variants.problems[rows] + np.uint64(grid * _MIX % 2**64))
+    return total ^ (variants.problems[rows] + np.uint64(grid * _MIX_MULTIPLIER % 2**64))
 
 
 def repeated_values(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
@@ -161,7 +164,7 @@ Table = NDArray[np.uint64]
 POSITION, PROBLEM, COUNT, OWN = 0, 1, 2, 3
 """Columns of a table: the position, the problem that the item is a variant of, how many numbers it has, its marks."""
 HELD = 2_000_000  # numbers of variants compared at once, in some 200 MB
-NOBODY = -1
+NO_ITEM = -1
 
 
 class Marks(NamedTuple):
@@ -207,7 +210,7 @@ def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Ite
     An item is removed if an earlier kept item is equal, or closer than `distance`. Hence the result is the same if the
     pass is repeated on partly processed shards, and for the first shards of a larger dataset.
     """
-    alike = same = np.full(items, NOBODY, dtype=np.int64)
+    alike = same = np.full(items, NO_ITEM, dtype=np.int64)
     while True:  # each round is right for a longer beginning of all positions; the second one nearly always ends it
         before, same = same, _same(read, shards, alike)
         if distance == 0.0 or (before is not alike and np.array_equal(before, same)):
@@ -215,12 +218,12 @@ def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Ite
         alike = _alike(read, shards, distance, same)
     for number in range(shards):
         positions = read(number).table[:, POSITION].astype(np.int64)
-        gone = positions[(same[positions] != NOBODY) | (alike[positions] != NOBODY)].tolist()
+        gone = positions[(same[positions] != NO_ITEM) | (alike[positions] != NO_ITEM)].tolist()
         if gone:
             pairs = ((position, int(same[position]), int(alike[position])) for position in gone)
             yield (
                 number,
-                [Duplicate(at, first if first != NOBODY else near, first == NOBODY) for at, first, near in pairs],
+                [Duplicate(at, first if first != NO_ITEM else near, first == NO_ITEM) for at, first, near in pairs],
             )
 
 
@@ -228,18 +231,18 @@ def _same(read: Read, shards: int, alike: EarlierItems) -> EarlierItems:
     """Return, for each item, the position of an equal item that comes before it and is kept; −1 if none."""
     columns = range(OWN, read(0).table.shape[1]) if shards else range(0)
     repeated = [_repeated(read, shards, column) for column in columns]
-    first = [np.full(len(values), NOBODY, dtype=np.int64) for values in repeated]
-    same = np.full(len(alike), NOBODY, dtype=np.int64)
+    first = [np.full(len(values), NO_ITEM, dtype=np.int64) for values in repeated]
+    same = np.full(len(alike), NO_ITEM, dtype=np.int64)
     for number in range(shards):
         table = read(number).table
         places = [np.searchsorted(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
         shared = [contains_sorted(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
         for row in np.flatnonzero(np.any(shared, axis=0)).tolist():
             at = [(n, int(places[n][row])) for n in range(len(columns)) if shared[n][row]]
-            seen = next((int(first[n][index]) for n, index in at if first[n][index] != NOBODY), NOBODY)
+            seen = next((int(first[n][index]) for n, index in at if first[n][index] != NO_ITEM), NO_ITEM)
             position = int(table[row, POSITION])
             same[position] = seen
-            for n, index in at if seen == NOBODY and alike[position] == NOBODY else ():
+            for n, index in at if seen == NO_ITEM and alike[position] == NO_ITEM else ():
                 first[n][index] = position
     return same
 
@@ -247,7 +250,7 @@ def _same(read: Read, shards: int, alike: EarlierItems) -> EarlierItems:
 def _alike(read: Read, shards: int, distance: float, same: EarlierItems) -> EarlierItems:
     """Return, for each item, the position of an earlier kept item with the same problem and close numbers, else −1."""
     problems = _repeated(read, shards, PROBLEM)
-    alike = np.full(len(same), NOBODY, dtype=np.int64)
+    alike = np.full(len(same), NO_ITEM, dtype=np.int64)
     for begin, end in _stretches(read, shards, problems):
         for position, first in too_close(_variants(read, shards, problems[begin:end], same), distance):
             alike[position] = first
@@ -272,7 +275,7 @@ def _variants(read: Read, shards: int, problems: Table, same: EarlierItems) -> V
     kept_logarithms: list[Logarithms] = []
     for number in range(shards):
         table, logarithms = read(number)
-        wanted = contains_sorted(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NOBODY)
+        wanted = contains_sorted(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NO_ITEM)
         tables.append(table[wanted, : COUNT + 1])
         kept_logarithms.append(logarithms[np.repeat(wanted, table[:, COUNT].astype(np.int64))])
     table = np.concatenate(tables)

@@ -16,10 +16,10 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import (
     ALL_NAMES,
-    DISTANCE,
+    DEFAULT_DISTANCE,
+    DEFAULT_SHARD_ROWS,
     LICENSE,
     MAKER,
-    SHARD,
     Config,
     Names,
     difficulties_named,
@@ -33,7 +33,7 @@ from sim2reason.generation.request import SI, nonnegative_integer
 from sim2reason.questions.accuracy import TOLERANCE
 from sim2reason.questions.spoken_units import system_named
 
-ITEMS = 1000
+DEFAULT_ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license", "tolerance"
 NUMBERS = "items", "seed", "shard"
 ORDER = re.compile(r"^( *)order: the options of `Order`\.$", re.MULTILINE)
@@ -75,7 +75,7 @@ class Order(TypedDict, total=False):
 
 
 DEFAULTS: Order = {
-    "items": ITEMS,
+    "items": DEFAULT_ITEMS,
     "recipe": ALL_NAMES,
     "difficulty": ALL_NAMES,
     "mode": "numeric",
@@ -87,10 +87,10 @@ DEFAULTS: Order = {
     "solutions": False,
     "unfiltered": False,
     "split": None,
-    "distance": DISTANCE,
+    "distance": DEFAULT_DISTANCE,
     "decontaminate": (),
     "license": LICENSE,
-    "shard": SHARD,
+    "shard": DEFAULT_SHARD_ROWS,
     "maker": MAKER,
 }
 

@@ -85,7 +85,7 @@ def to_plain(value: object, depth: int = MAX_DEPTH) -> object:
     return None if isinstance(value, float) and isnan(value) else value
 
 
-LONGEST_LINE = 2**27  # bytes
+MAX_LINE_LENGTH = 2**27  # bytes
 TOGETHER = 2000, 2**23  # responses graded together, at most, and bytes of their lines
 
 
@@ -195,9 +195,9 @@ def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
 def responses(file: IO[bytes], name: str) -> Iterator[Response]:
     """Yield the responses in JSON lines ``{id, response}``; DatasetError, with the file's `name`, if invalid."""
     any_response = False
-    for count, text in enumerate(iter(lambda: file.readline(LONGEST_LINE), b""), start=1):
-        if len(text) == LONGEST_LINE:
-            raise DatasetError(f"{name}:{count}: more than {LONGEST_LINE} bytes; a line is {{id, response}}")
+    for count, text in enumerate(iter(lambda: file.readline(MAX_LINE_LENGTH), b""), start=1):
+        if len(text) == MAX_LINE_LENGTH:
+            raise DatasetError(f"{name}:{count}: more than {MAX_LINE_LENGTH} bytes; a line is {{id, response}}")
         if text.strip():
             any_response = True
             yield from _each(_response(text, f"{name}:{count}"))

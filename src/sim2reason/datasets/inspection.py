@@ -24,13 +24,13 @@ from sim2reason.generation.request import Request
 from sim2reason.grading.parts import PART_LABELS
 from sim2reason.simulation import trace_files
 
-PROBLEMS = 3
+SHOWN_PROBLEMS = 3
 
 
 def show(  # noqa: PLR0913 - filters, by name
     dataset: Dataset | Path | str,
     *,
-    items: int = PROBLEMS,
+    items: int = SHOWN_PROBLEMS,
     id: str | None = None,  # noqa: A002 - the column's name
     recipe: Names = ALL_NAMES,
     difficulty: Names = ALL_NAMES,
@@ -104,7 +104,7 @@ def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]], split:
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"
-DIGITS = 3  # of numbers for the median, as many as a prompt requests
+MEDIAN_DIGITS = 3  # of numbers for the median, as many as a prompt requests
 
 
 class Spread(Record):
@@ -161,7 +161,7 @@ class _Numbers:
 
     def add(self, value: float) -> None:
         self.least, self.greatest = min(self.least, value), max(self.greatest, value)
-        self.rounded[float(f"{value:.{DIGITS - 1}e}")] += 1
+        self.rounded[float(f"{value:.{MEDIAN_DIGITS - 1}e}")] += 1
 
     def spread(self) -> Spread:
         total, behind = self.rounded.total(), 0
@@ -217,7 +217,7 @@ def _commonest_first(pair: tuple[str, _Numbers]) -> tuple[int, str]:
     return -pair[1].rounded.total(), pair[0]
 
 
-SHOWN = 40  # refused questions; a search may refuse hundreds
+MAX_REFUSALS = 40  # refused questions; a search may refuse hundreds
 T = TypeVar("T")
 
 
@@ -307,7 +307,7 @@ class RefusalRecord:
     def add(self, refused: RefusedQuestion) -> None:
         """Record a question, the reason of its filter, and the numbers that the filter compared."""
         self.number += 1
-        if self.number > SHOWN:
+        if self.number > MAX_REFUSALS:
             return
         verdict, question = refused.verdict, refused.candidate.question
         self.lines += [*question.text.splitlines(), f"  answer: {question.answer:.4g} {question.unit}".rstrip()]
@@ -320,7 +320,7 @@ def _refusals(search: ItemSearch, record: RefusalRecord | None) -> dict[str, tup
     counts = tuple(f"{n} × {reason}" for reason, n in sorted(search.rejected.items())) or ("nothing",)
     if record is None:
         return {"Refused before it": counts}
-    more = (f"and {record.number - SHOWN} more questions",) if record.number > SHOWN else ()
+    more = (f"and {record.number - MAX_REFUSALS} more questions",) if record.number > MAX_REFUSALS else ()
     return {"Refused before it": counts, "Refused questions": (*record.lines, *more) or ("none",)}
 
 

@@ -17,9 +17,9 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Record
 from sim2reason.generation.request import Request
 
-LEAST_KEPT = 0.25
+MIN_KEPT_SHARE = 0.25
 """The share of the questions asked for in a cell that a sound library keeps as such, at least."""
-FALSE_ALARM = 1e-3
+FALSE_ALARM_PROBABILITY = 1e-3
 """The probability that a dataset from a sound library has an empty cell that counts as an error, at most."""
 
 
@@ -68,9 +68,9 @@ def failure_limit(cells: int) -> int:
     """Return how many failed requests of a cell are too many for an accident, given the number of cells.
 
     If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
-    distribution's P(0). The sum over all cells is limited to `FALSE_ALARM`, by Bonferroni's inequality.
+    distribution's P(0). The sum over all cells is limited to `FALSE_ALARM_PROBABILITY`, by Bonferroni's inequality.
     """
-    return ceil(log(FALSE_ALARM / max(cells, 1)) / log(1.0 - LEAST_KEPT))
+    return ceil(log(FALSE_ALARM_PROBABILITY / max(cells, 1)) / log(1.0 - MIN_KEPT_SHARE))
 
 
 def empty(cells: Iterable[Cell]) -> Iterator[str]:
@@ -86,7 +86,7 @@ def empty(cells: Iterable[Cell]) -> Iterator[str]:
 
 
 MANIFEST, SHARDS = "manifest.json", "shards.jsonl"
-FIRST = 20  # positions listed in the manifest itself; the shards' records list all
+MAX_LISTED_POSITIONS = 20  # positions listed in the manifest itself; the shards' records list all
 Counts = dict[str, int]
 Refusal = Literal["quarantined", "unfilled", "contaminated", "duplicates", "variants"]
 REFUSALS: tuple[Refusal, ...] = get_args(Refusal)
@@ -177,7 +177,11 @@ class RefusedPositions(Record):
     def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
         """Return the record with further positions without an item added."""
         more = tuple(found)
-        return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
+        return (
+            RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:MAX_LISTED_POSITIONS])
+            if more
+            else self
+        )
 
 
 class Manifest(Record):

@@ -18,7 +18,7 @@ from sim2reason.datasets.contamination import BenchmarkFile
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.generation.item import Record
 from sim2reason.generation.recipes import RECIPES, all_recipes, find_difficulty
-from sim2reason.generation.request import LARGEST, SI, Request, Weights
+from sim2reason.generation.request import MAX_SEED, SI, Request, Weights
 from sim2reason.questions import MODES
 from sim2reason.questions.accuracy import TOLERANCE, out_of_range
 from sim2reason.questions.difficulty import DIFFICULTIES, NEEDS, Difficulty, Need
@@ -27,15 +27,15 @@ __all__ = ["Chosen"]
 
 MAKER = "sim2reason.generation.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
-SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
+DEFAULT_SHARD_ROWS = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 BARREN, TURNS = 100, 2  # positions, and rounds over all cells, without new items after which generation ends
-FIRST_TRIES = 20  # positions, with one round, if there is no item at all
-LARGEST_SHARD = 100_000  # rows in memory at once, some 300 MB
+MIN_ATTEMPTS = 20  # positions, with one round, if there is no item at all
+MAX_SHARD_ROWS = 100_000  # rows in memory at once, some 300 MB
 DATA = "data"
 """The folder of all shards."""
 TRAIN = "train"
 """The split that holds everything where none is asked for; so the Hugging Face hub calls it, too."""
-DISTANCE = 0.05
+DEFAULT_DISTANCE = 0.05
 """How far apart the numbers of two variants of a problem are at least: the relative tolerance of answers.
 
 If no number of one differs by more from that of the other, its answer included, then who knows one answer knows both.
@@ -77,12 +77,12 @@ class Config(Record):
     whose items are not made redundant by earlier ones.
     """
 
-    items: Annotated[int, Ge(0), Le(LARGEST)]
+    items: Annotated[int, Ge(0), Le(MAX_SEED)]
     recipes: Annotated[tuple[str, ...], MinLen(1)]
     difficulties: Annotated[tuple[str, ...], MinLen(1)] = DIFFICULTIES
     modes: Annotated[tuple[str, ...], MinLen(1)] = ("numeric",)
-    seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
-    shard: Annotated[int, Ge(1), Le(LARGEST_SHARD)] = SHARD
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] = 0
+    shard: Annotated[int, Ge(1), Le(MAX_SHARD_ROWS)] = DEFAULT_SHARD_ROWS
     maker: str = MAKER
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
@@ -98,7 +98,7 @@ class Config(Record):
     split: dict[str, float] = Field(default_factory=lambda: {TRAIN: 1.0})
     """The shares of the splits, by name; together 1."""
 
-    distance: Annotated[float, Ge(0.0), Le(1.0)] = DISTANCE
+    distance: Annotated[float, Ge(0.0), Le(1.0)] = DEFAULT_DISTANCE
     """By how much some number of two variants of a problem differs at least, relatively; 0 keeps all that differ."""
     decontaminate: tuple[BenchmarkFile, ...] = ()
     """Files of benchmarks with which no problem shares a run of words."""
@@ -160,7 +160,7 @@ class Config(Record):
 
     def barren_from(self, behind_last: int) -> int:
         """Return the position at which generation gives up; `behind_last` is the position after the last item."""
-        tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
+        tries, turns = (BARREN, TURNS) if behind_last else (MIN_ATTEMPTS, 1)
         return behind_last + max(tries, turns * len(self._cells))
 
     def request(self, position: int) -> Request:

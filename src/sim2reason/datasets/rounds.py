@@ -15,7 +15,7 @@ from sim2reason.datasets.shard_files import lengthened, read_items, read_marks, 
 from sim2reason.datasets.worker import Attempt, Batch
 from sim2reason.generation.item import Item
 
-BATCH = 10  # items: half a second of work, so that communication costs little
+BATCH_ITEMS = 10  # items: half a second of work, so that communication costs little
 
 
 class WorkQueue:
@@ -41,8 +41,8 @@ class WorkQueue:
                 yield range(0)
                 continue
             self._open[positions.start // self._config.shard] = positions, []
-            for start in range(positions.start, positions.stop, BATCH):
-                yield range(start, min(start + BATCH, positions.stop))
+            for start in range(positions.start, positions.stop, BATCH_ITEMS):
+                yield range(start, min(start + BATCH_ITEMS, positions.stop))
 
     @property
     def open(self) -> bool:

@@ -36,10 +36,10 @@ from sim2reason.solutions import ProblemContext, Solution
 from sim2reason.solutions import solve as solved
 from sim2reason.solutions.goals import GOALS
 
-QUESTIONS = 5
+DEFAULT_QUESTIONS = 5
 TRIES_PER_QUESTION = 10  # per requested question, and again for easy ones
 SAME_ANSWER = "an answer that another question has"  # name of this rejection in counts
-SPARE = 2  # times the requested questions, including variants, after which the search ends
+MAX_ITEM_FACTOR = 2  # times the requested questions, including variants, after which the search ends
 
 
 @dataclass
@@ -59,7 +59,7 @@ def ask(
     scene: SceneLike,
     *,
     mode: Names = "numeric",
-    items: int = QUESTIONS,
+    items: int = DEFAULT_QUESTIONS,
     seed: int = 0,
     all: bool = False,  # noqa: A002 - as the option is called
 ) -> list[Item]:
@@ -104,7 +104,7 @@ def ask_scene(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: b
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
     answers = set[Hashable]()
     for attempt in range(2 * TRIES_PER_QUESTION * items):
-        if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
+        if len(result.found) >= items or len(result.found) + len(variants) >= MAX_ITEM_FACTOR * items:
             break
         search.easy = attempt >= TRIES_PER_QUESTION * items
         name = modes[attempt % len(modes)]

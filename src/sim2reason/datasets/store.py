@@ -97,7 +97,7 @@ SCHEMA = pa.schema(
 """What has keys of its own, the certificate, the versions and the weights, is kept as JSON text."""
 COLUMNS: tuple[str, ...] = tuple(SCHEMA.names)
 OPEN = "versions", "weights"
-BATCH = 100  # rows that are plain values at a time
+BATCH_ROWS = 100  # rows that are plain values at a time
 Row = dict[str, Any]
 
 
@@ -119,7 +119,7 @@ def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None
     """Yield some columns (``recipe``, ``asked.quantity``) of one file, row by row."""
     with _opened(path) as file:
         table = file.read(columns=list(columns), use_threads=False)
-        for batch in _take_rows(table, places).to_batches(max_chunksize=BATCH):
+        for batch in _take_rows(table, places).to_batches(max_chunksize=BATCH_ROWS):
             yield from batch.to_pylist()
 
 

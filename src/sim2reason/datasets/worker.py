@@ -15,7 +15,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Made, Maker, Request, load_maker
 
-YOUNG = 20_000  # new objects after which the garbage collector runs
+GC_THRESHOLD = 20_000  # new objects after which the garbage collector runs
 
 Batch = Sequence[tuple[int, Request]]
 """Positions and their requests."""
@@ -79,7 +79,7 @@ def tune_garbage_collection() -> None:
     """
     gc.collect()
     gc.freeze()
-    gc.set_threshold(YOUNG)
+    gc.set_threshold(GC_THRESHOLD)
 
 
 def outcome(make: Maker, position: int, request: Request) -> Attempt:

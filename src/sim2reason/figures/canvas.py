@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING, Any
 
 from sim2reason.base.optional import optional
 from sim2reason.errors import UnsupportedError
-from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, LineShape, Shape, Weight, width
+from sim2reason.figures.shapes import MAX_LETTER_LENGTH, Arc, Area, Drawing, Label, LineShape, Shape, Weight, width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
-INCH = 0.42  # inches per unit of a drawing
-MARGIN = 0.35  # units around everything
-ON_TOP = 10_000  # labels lie over all shapes
+INCHES_PER_UNIT = 0.42  # inches per unit of a drawing
+MARGIN_UNITS = 0.35  # units around everything
+TOP_ZORDER = 10_000  # labels lie over all shapes
 WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4, "rod": 2.6, "dots": 1.7}  # points
 FILLS = {
     "": "white",
@@ -36,7 +36,7 @@ FILLS = {
     "field": "#eef4e6",
 }
 STRING = "#8a3324"
-DOTS = (0, (0.01, 2.6))  # of a rough face, in widths of the line
+DOT_PATTERN = (0, (0.01, 2.6))  # of a rough face, in widths of the line
 ITALIC: dict[str, Any] = {"style": "italic", "family": "DejaVu Serif"}
 SYMBOL = re.compile(r"([^\W\d_]{1,2})( [(=].*)")  # a letter and a number: *P (2 kg)*, *F = 3 N*
 FORMATS = ("svg", "png", "pdf")
@@ -92,8 +92,8 @@ def _page(drawing: Drawing) -> "Figure":
     from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
     left, low, right, high = drawing.box()
-    left, low, right, high = left - MARGIN, low - MARGIN, right + MARGIN, high + MARGIN
-    figure = Figure(figsize=(INCH * (right - left), INCH * (high - low)))
+    left, low, right, high = left - MARGIN_UNITS, low - MARGIN_UNITS, right + MARGIN_UNITS, high + MARGIN_UNITS
+    figure = Figure(figsize=(INCHES_PER_UNIT * (right - left), INCHES_PER_UNIT * (high - low)))
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_xlim(left, right)
     axes.set_ylim(low, high)
@@ -130,7 +130,7 @@ def _shape(axes: "Axes", shape: Shape, order: int) -> None:
     if isinstance(shape, LineShape) and not shape.arrow:
         across, up = [p.real for p in shape.points], [p.imag for p in shape.points]
         style: dict[str, Any] = {"linewidth": WIDTHS[shape.weight], "solid_capstyle": "round", "zorder": order}
-        strokes: Any = DOTS if shape.weight == "dots" else "--" if shape.dashed else "-"
+        strokes: Any = DOT_PATTERN if shape.weight == "dots" else "--" if shape.dashed else "-"
         if shape.weight == "dots":
             style["dash_capstyle"] = "round"
         axes.plot(across, up, linestyle=strokes, color=_ink(shape.weight), **style)
@@ -171,7 +171,12 @@ def _ink(weight: Weight) -> str:
 
 
 def _label(axes: "Axes", label: Label) -> None:
-    style: dict[str, Any] = {"ha": "center", "va": "center", "zorder": ON_TOP, "fontsize": label.size * INCH * 72.0}
+    style: dict[str, Any] = {
+        "ha": "center",
+        "va": "center",
+        "zorder": TOP_ZORDER,
+        "fontsize": label.size * INCHES_PER_UNIT * 72.0,
+    }
     if label.crossed:
         style["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
     both, middle = SYMBOL.fullmatch(label.text), label.at
@@ -182,6 +187,6 @@ def _label(axes: "Axes", label: Label) -> None:
         axes.text(0.5 * (left + split) - 0.17 * label.size, middle.imag, letter, **style, **ITALIC)
         axes.text(0.5 * (split + right), middle.imag, rest, **style)
         return
-    if len(label.text) <= LETTER and label.text.isalpha():
+    if len(label.text) <= MAX_LETTER_LENGTH and label.text.isalpha():
         style |= ITALIC
     axes.text(middle.real, middle.imag, label.text, **style)

@@ -51,7 +51,7 @@ def trajectories(state: State, mentions: Mapping[str, str], origins: Mapping[str
     return tuple(Trajectories(one, other, tuple(members)) for (_, one, other), members in groups.items())
 
 
-SAMPLES = 400
+SAMPLE_COUNT = 400
 MAX_CURVES = 8  # curves in a panel
 ZERO_LEVEL, STRAIGHT = 1e-9, 1e-9
 FIXED = "a fixed point"
@@ -120,7 +120,7 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
 def instants(trace: Trace, duration: float) -> Array:
     """Return equally spaced times up to the end of validity, with both sides of every event, s."""
     end = min(trace.stable_until, duration)
-    grid = np.linspace(0.0, end, max(2, round(SAMPLES * end / duration)))
+    grid = np.linspace(0.0, end, max(2, round(SAMPLE_COUNT * end / duration)))
     events = np.array([event.time for event in trace.events if 0.0 < event.time <= end])
     return np.unique(np.concatenate([grid, events, np.nextafter(events, 0.0)]))
 

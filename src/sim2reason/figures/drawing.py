@@ -92,7 +92,7 @@ def _clusters(names: Iterable[str], joined: Mapping[str, Iterable[str]]) -> list
 
 
 COMPONENT_GAP = 1.2  # units between unconnected parts of a scene
-MOUNT = 1.9  # units, the longest bracket from a corner to a pulley
+MAX_BRACKET = 1.9  # units, the longest bracket from a corner to a pulley
 assert faces  # its import enters what it draws
 
 
@@ -202,7 +202,7 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
         if (edge := layout.pieces[corner].edge(direction)) is not None
     ]
     nearest = min(ends, key=lambda end: abs(end - here))
-    if abs(nearest - here) <= MOUNT:
+    if abs(nearest - here) <= MAX_BRACKET:
         return [LineShape((nearest, here), "edge")]
     return plate(piece.support, here)
 

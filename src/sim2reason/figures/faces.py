@@ -12,8 +12,8 @@ from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_name
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
 from sim2reason.figures.plane import (
-    NOISE,
     RIGHT,
+    ZERO_COMPONENT_TOL,
     Polygon,
     box,
     cross,
@@ -42,9 +42,9 @@ from sim2reason.scenes.dsl.body import FixedPlane, MovingSlope
 
 HEAD, TOE, TOE_SITE = 0.95, 1.25, 1.6  # of a face that is free above its highest and below its lowest thing
 SHORTEST, LONGER = 3.8, 1.7  # of a face; and by what factor it may be stretched to reach the floor
-SLAB = 0.35  # thickness of a level plane
-FLOOR = 0.9  # units by which a floor extends beyond a wedge
-FLAT = 1e-6
+SLAB_THICKNESS = 0.35  # thickness of a level plane
+FLOOR_MARGIN = 0.9  # units by which a floor extends beyond a wedge
+ZERO_SLOPE_TOL = 1e-6
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class FacePiece(Piece):
         self.faces = [self._spread(face) for face in self._find_faces()]
         if name in plan.mirrored:
             self.faces = [_mirrored(face) for face in self.faces]
-        self.mirrors = len(self.faces) == 1 and abs(self.faces[0].uphill.imag) > FLAT
+        self.mirrors = len(self.faces) == 1 and abs(self.faces[0].uphill.imag) > ZERO_SLOPE_TOL
         self._stand()
 
     # -- reading the mechanism ---------------------------------------------------------------------
@@ -90,7 +90,7 @@ class FacePiece(Piece):
                 along = mechanism.contacts[block].slip[0][0]
                 axis = next(c.axis for c in body.coordinates if c.name == along)
                 up = flat(axis)
-                up = -up if up.imag < -NOISE or (up.imag <= NOISE and up.real < 0.0) else up
+                up = -up if up.imag < -ZERO_COMPONENT_TOL or (up.imag <= ZERO_COMPONENT_TOL and up.real < 0.0) else up
                 groups.setdefault(drawn_direction(up), (up, []))[1].append((dot(flat(body.at), up), block))
         if not groups:
             bare = rect(1.0, radians(getattr(self.plan.scene.bodies[self.name], "angle", 0.0)))
@@ -124,11 +124,11 @@ class FacePiece(Piece):
         deep = max(face.length * face.uphill.imag for face in self.faces)
         stretched: list[Facet] = []
         for face in self.faces:
-            wish = deep / face.uphill.imag if face.uphill.imag > FLAT else face.length
+            wish = deep / face.uphill.imag if face.uphill.imag > ZERO_SLOPE_TOL else face.length
             length = wish if wish <= LONGER * face.length else face.length
             stretched.append(Facet(face.uphill, face.normal, face.blocks, face.foot, face.top, length))
         self.faces = stretched
-        self.base = -deep if deep > FLAT else -SLAB
+        self.base = -deep if deep > ZERO_SLOPE_TOL else -SLAB_THICKNESS
 
     # -- what others ask ---------------------------------------------------------------------------
 
@@ -201,7 +201,7 @@ class FacePiece(Piece):
         """Return the hulls of the solid with its floor, and of the blocks on its faces."""
         solid = self.outline()
         left, low, right, _ = box(solid)
-        extra = 0.0 if self.fixed else FLOOR
+        extra = 0.0 if self.fixed else FLOOR_MARGIN
         sizes = self.plan.sizes
         blocks = [
             rectangle(self.center(block), sizes.width, sizes.height, face.uphill)
@@ -220,12 +220,12 @@ class FacePiece(Piece):
         solid = self.outline()
         combined = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
         left, low, right, _ = box(solid)
-        extra = 0.0 if self.fixed else FLOOR
+        extra = 0.0 if self.fixed else FLOOR_MARGIN
         combined.shapes += hatched_line(complex(left - extra, low), complex(right + extra, low))
         for site in self._wheels():
             combined.shapes += self._small(site)
         for face in self.faces:
-            if face.uphill.imag > FLAT:
+            if face.uphill.imag > ZERO_SLOPE_TOL:
                 self._angle(face, combined)
             for block in face.blocks:
                 center = self.center(block)

@@ -6,7 +6,7 @@ from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_name
 from sim2reason.figures.pieces import DrawingPlan, Piece, draws, positions_around
 from sim2reason.figures.plane import UP, Polygon, degrees, dot, rectangle, ring, unit_vector
 from sim2reason.figures.shapes import (
-    LETTER,
+    MAX_LETTER_LENGTH,
     SIZE,
     SMALL,
     TINY,
@@ -25,8 +25,8 @@ from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.mechanism import ConstantTension
 
 BRACKET, PLATE = 0.95, 1.1  # units from an axle to its support, and width of the support
-ARROW = 1.3
-LINE = 0.22  # units from the middle of a block to the name above it and to the mass below it
+ARROW_LENGTH = 1.3
+LABEL_OFFSET = 0.22  # units from the middle of a block to the name above it and to the mass below it
 
 
 @draws(SmallBody)
@@ -55,15 +55,17 @@ def block_labels(
     """Return the labels of a block's name and mass: inside the block if they fit."""
     name, mass = plan.name(address), plan.mass(address)
     broad, tall = size or (plan.sizes.width, plan.sizes.height)
-    inside, out = len(name) <= LETTER, 0.5 * tall + 0.3
-    both = bool(mass) and inside and width(mass, TINY) < broad and tall > SIZE + 2.0 * LINE
+    inside, out = len(name) <= MAX_LETTER_LENGTH, 0.5 * tall + 0.3
+    both = bool(mass) and inside and width(mass, TINY) < broad and tall > SIZE + 2.0 * LABEL_OFFSET
     mass_labels: list[LabelRequest] = []
     if mass:
         aside = 0.5 * (broad + width(mass, TINY)) + 0.12
-        spots = tuple(center + spot for spot in ((-LINE * 1j,) if both else ()) + (out * 1j, aside, -aside, -out * 1j))
+        spots = tuple(
+            center + spot for spot in ((-LABEL_OFFSET * 1j,) if both else ()) + (out * 1j, aside, -aside, -out * 1j)
+        )
         mass_labels = [LabelRequest(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
     if inside:
-        first = center + LINE * 1j if both else center
+        first = center + LABEL_OFFSET * 1j if both else center
         return [LabelRequest(name, (first, center, center - out * 1j, center + out * 1j), address), *mass_labels]
     wide = width(name, SIZE)
     across, up = 0.5 * (broad + wide) + 0.15, 0.5 * tall + 0.35
@@ -218,7 +220,7 @@ class HandPiece(EndPiece):
 
     def hulls(self) -> list[Polygon]:
         """Return the hulls of the arrow and its label."""
-        return [rectangle(self.direction * 0.5 * ARROW, ARROW, 0.5, self.direction)]
+        return [rectangle(self.direction * 0.5 * ARROW_LENGTH, ARROW_LENGTH, 0.5, self.direction)]
 
     def sketch(self) -> Sketch:
         """Return the sketch of a grip, an arrow, and the force or speed as in the text."""
@@ -229,9 +231,9 @@ class HandPiece(EndPiece):
             self.direction * along + complex(across.real * (0.5 * wide + 0.16), across.imag * 0.38)
             for along in (0.75, 1.1, 0.4)
             for across in (self.direction * 1j, self.direction * -1j)
-        ) + positions_around(self.direction * ARROW, 0.15, wide, start=self.direction)
+        ) + positions_around(self.direction * ARROW_LENGTH, 0.15, wide, start=self.direction)
         label = LabelRequest(text, places, self.name, SMALL, name=False)
-        return Sketch([LineShape((0j, self.direction * ARROW), "string", arrow=True), grip], [label])
+        return Sketch([LineShape((0j, self.direction * ARROW_LENGTH), "string", arrow=True), grip], [label])
 
 
 def pull_text(plan: DrawingPlan, hand: str) -> str:

@@ -27,13 +27,13 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.text.prose.description import Description
 
-FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
+DISGUISE_FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
 """Factors by which the value of an unknown, with two digits, is multiplied, in the order of trial."""
 MIN_DISGUISE = 0.1  # relative difference between the drawn and the true value, at least
 QUADRANT, RIGHT_ANGLE_MARGIN = 90.0, 5.0  # degrees; margin of a drawn angle from multiples of a right angle
 SCALES = (parse_unit("m").dimension, parse_unit("deg").dimension)
 MINOR = ("hair", "dots")  # strokes whose number depends on sizes
-TOUCHING = 0.02  # units; smaller overlaps of outlines count as contact
+CONTACT_OVERLAP = 0.02  # units; smaller overlaps of outlines count as contact
 
 Draw = Callable[[Scene], Drawing]
 
@@ -85,7 +85,7 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
     parameter = next(p for p in scene.parameters if p.path == path)
     value, (lower, most) = parameter.value or 0.0, find_limits(scene, path)
     rounded = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
-    for drawn in (float(f"{factor * rounded:.3g}") for factor in FACTORS):
+    for drawn in (float(f"{factor * rounded:.3g}") for factor in DISGUISE_FACTORS):
         if not lower <= drawn <= most or abs(drawn - value) < MIN_DISGUISE * abs(value):
             continue
         if parameter.measure.unit == "deg" and not _is_alike(value, drawn):
@@ -109,7 +109,7 @@ def _parts(drawing: Drawing) -> Counter[str]:
     """Return the numbers of shapes by kind, and the number of pairs of bodies whose outlines overlap."""
     counts = Counter(_kind(shape) for shape in drawing.shapes if shape.weight not in MINOR)
     bodies = [_body(shape) for shape in drawing.shapes if not isinstance(shape, LineShape) and shape.fill]
-    counts["overlap"] = sum(depth(one, other) > TOUCHING for one, other in combinations(bodies, 2))
+    counts["overlap"] = sum(depth(one, other) > CONTACT_OVERLAP for one, other in combinations(bodies, 2))
     return counts
 
 
@@ -131,7 +131,7 @@ def _texts(drawing: Drawing) -> Counter[tuple[str, str]]:
 
 
 LABEL_MARGIN = 0.06  # kept free around a label
-SWEEPS = 4
+MAX_SWEEPS = 4
 WHEEL, AMBIGUOUS_DISTANCE, MISTAKEN = (
     0.3,
     0.75,
@@ -193,7 +193,7 @@ def place_labels(
         for n in order
     }
     chosen: dict[int, Option] = {}
-    for _ in range(SWEEPS):
+    for _ in range(MAX_SWEEPS):
         for n in order:
             others = [option for m, option in chosen.items() if m != n]
             costs = [alone[n][i] + _overlap_cost(option, others) for i, option in enumerate(options[n])]

@@ -123,10 +123,10 @@ def _close(one: Box, other: Box, gap: float) -> bool:
     return one[0] - gap < other[2] and other[0] - gap < one[2] and one[1] - gap < other[3] and other[1] - gap < one[3]
 
 
-LINK = (0.55, 0.8, 1.2, 2.0)  # lengths tried between neighbouring blocks
+LINK_LENGTHS = (0.55, 0.8, 1.2, 2.0)  # lengths tried between neighbouring blocks
 FACE_END_LENGTHS = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # lengths tried from the end of a face to the next piece
 FREE_LENGTHS = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # lengths tried elsewhere
-WIDER = (1.0, 1.6, 2.4)  # factors on the radius of pulleys with parallel strands
+PULLEY_FACTORS = (1.0, 1.6, 2.4)  # factors on the radius of pulleys with parallel strands
 ROUNDS, PATIENCE, GOOD = 14, 4, 60.0  # restarts of the search, how many may bring nothing, and when that is enough
 FLIPPED, LONGER, WIDENED, LEAST = 0.6, 0.12, 1.5, 1e-9  # what it costs to turn, lengthen, enlarge; the least gain
 
@@ -153,7 +153,9 @@ class Arranger:
         self.wheels = self._wheels()
         self.options = [self._lengths(strand) for strand in self.outer]
         self.flips = len(self.groups) + len(self.swaps)
-        self.counts = [2] * self.flips + [len(lengths) for lengths in self.options] + [len(WIDER)] * len(self.wheels)
+        self.counts = (
+            [2] * self.flips + [len(lengths) for lengths in self.options] + [len(PULLEY_FACTORS)] * len(self.wheels)
+        )
         self.weights = [FLIPPED] * self.flips + [LONGER] * len(self.outer) + [WIDENED] * len(self.wheels)
         self._poses: dict[tuple[Choice, Choice], Pose] = {}
 
@@ -254,7 +256,7 @@ class Arranger:
             turned = frozenset[str]().union(*(group for group, flip in zip(self.groups, flips, strict=False) if flip))
             swapped = frozenset(name for name, flip in zip(self.swaps, flips[len(self.groups) :], strict=True) if flip)
             ways = self.directions(turned, swapped)
-            sizes = {name: WIDER[number] for name, number in zip(self.wheels, wider, strict=True)}
+            sizes = {name: PULLEY_FACTORS[number] for name, number in zip(self.wheels, wider, strict=True)}
             plan = replace(self._bent(self.plan, ways, turned, swapped), wider=sizes)
             self._poses[flips, wider] = Pose({name: self.make(name, plan) for name in self.names}, self.strands, ways)
         return self._poses[flips, wider]
@@ -264,7 +266,7 @@ class Arranger:
         bodies = self.plan.scene.bodies
         ends = [bodies.get(knot.piece) for knot in (strand.a, strand.b)]
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
-            return LINK
+            return LINK_LENGTHS
         sloped = any(has_faces(body) and not knot.rim for knot, body in zip((strand.a, strand.b), ends, strict=True))
         return FACE_END_LENGTHS if sloped else FREE_LENGTHS
 

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.vectors import Vector
 
 COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # units: half the width, length of a loop, length of the straight part at each end
-ASIDE = 0.22  # units from the centre line to a spring and to its dashpot
+PARALLEL_OFFSET = 0.22  # units from the centre line to a spring and to its dashpot
 CUP, PISTON, DEEP = 0.11, 0.08, 0.25  # half the widths of a dashpot's two parts, and half its length at most
 
 
@@ -22,7 +22,7 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
         yield _zigzag(a, b)
         return
     direction = unit_vector(b - a)
-    out, lead = ASIDE * direction * 1j, min(0.5 * LEAD, 0.08 * abs(b - a)) * direction
+    out, lead = PARALLEL_OFFSET * direction * 1j, min(0.5 * LEAD, 0.08 * abs(b - a)) * direction
     yield (a, a + lead)
     yield (b - lead, b)
     for end in (a + lead, b - lead):

@@ -19,7 +19,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
 
 VALUE_TOLERANCE = 1e-9  # SI units; numbers closer than this are equal
-DIGITS = 5  # significant digits of a number in a drawing, at most
+MAX_DIGITS = 5  # significant digits of a number in a drawing, at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ class DrawingPlan:
         Results of unknowns have more digits, which no drawing needs.
         """
         symbol = self.description.symbols.get(parameter.path, parameter.measure.symbol)
-        shown = parameter.value and float(f"{parameter.value:.{DIGITS}g}")
+        shown = parameter.value and float(f"{parameter.value:.{MAX_DIGITS}g}")
         return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit_vector: str, value: float) -> str:

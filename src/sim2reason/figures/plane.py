@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.vectors import Vector, add, inner, outer, scale, unit
 Polygon = tuple[complex, ...]
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 UP, RIGHT = 1j, 1.0 + 0.0j
-NOISE = 1e-15  # smaller components of a direction are rounding errors
+ZERO_COMPONENT_TOL = 1e-15  # smaller components of a direction are rounding errors
 MIN_SLOPE = 1e-5  # smallest slope that is drawn as inclined, and its counterpart for steep lines
 
 
@@ -32,8 +32,8 @@ def unit_vector(a: complex) -> complex:
 
 def drawn_direction(uphill: complex) -> complex:
     """Return the direction in which a slope is drawn; horizontal or vertical only if it is exactly so."""
-    rise = max(uphill.imag, MIN_SLOPE) if uphill.imag > NOISE else 0.0
-    run = max(abs(uphill.real), MIN_SLOPE) if abs(uphill.real) > NOISE else 0.0
+    rise = max(uphill.imag, MIN_SLOPE) if uphill.imag > ZERO_COMPONENT_TOL else 0.0
+    run = max(abs(uphill.real), MIN_SLOPE) if abs(uphill.real) > ZERO_COMPONENT_TOL else 0.0
     return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
 
 
@@ -146,7 +146,7 @@ ZERO_TOL = 1e-9
 SPAN, FROM_ABOVE = 5.0, 6.5  # units of the larger side of a drawing, seen from the front and from above
 MAX_SPAN = 13.0  # units that this may grow to, so that neighbours do not overlap
 NEIGHBOUR_GAP, COILED = 1.7, 2.4  # units between neighbours, and between bodies joined by springs
-LARGEST = 2.6  # units across the largest body
+MAX_BODY_WIDTH = 2.6  # units across the largest body
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,9 +209,9 @@ def fitting(
     left, low, right, high = box(places)
     span = max(right - left, high - low)
     if span < ZERO_TOL:
-        return LARGEST / largest if largest else 1.0
+        return MAX_BODY_WIDTH / largest if largest else 1.0
     found = wanted / span
     nearest = min((abs(a - b) for a, b in combinations(bodies, 2) if abs(a - b) > 1e-3 * span), default=0.0)
     if nearest:
         found = max(found, min(apart / nearest, MAX_SPAN / span))
-    return min(found, LARGEST / largest) if largest else found
+    return min(found, MAX_BODY_WIDTH / largest) if largest else found

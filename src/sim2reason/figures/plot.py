@@ -241,8 +241,8 @@ HISTOGRAM_LEFT, BELOW, ABOVE, HISTOGRAM_RIGHT = (
     0.3,
     0.1,
 )  # inches around the axes; the names of the series stand above
-LETTER = 0.062  # inches of a letter of a label, about
-TICKS = 16  # labels below upright bars, at most
+LETTER_WIDTH = 0.062  # inches of a letter of a label, about
+MAX_TICKS = 16  # labels below upright bars, at most
 
 
 @dataclass(frozen=True)
@@ -262,7 +262,7 @@ def png(histogram: Histogram, dpi: int = 100) -> bytes:
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
         lying, count = histogram.lying, len(histogram.labels)
-        left = HISTOGRAM_LEFT + LETTER * max(map(len, histogram.labels), default=0) if lying else HISTOGRAM_LEFT
+        left = HISTOGRAM_LEFT + LETTER_WIDTH * max(map(len, histogram.labels), default=0) if lying else HISTOGRAM_LEFT
         tall = BELOW + ABOVE + BAR * (count + 1) if lying else HISTOGRAM_HEIGHT
         figure = Figure(figsize=(HISTOGRAM_WIDTH, tall))
         area = (
@@ -280,7 +280,7 @@ def png(histogram: Histogram, dpi: int = 100) -> bytes:
             else:
                 axes.bar(places, values, bottom=below, color=color, label=name)
             below = [low + value for low, value in zip(below, values, strict=True)]
-        shown = range(0, count, 1 if lying else -(-count // TICKS) or 1)
+        shown = range(0, count, 1 if lying else -(-count // MAX_TICKS) or 1)
         ticks = [histogram.labels[index] for index in shown]
         if lying:
             axes.set_yticks(shown, ticks)

@@ -14,7 +14,7 @@ __all__ = ["Bar", "Point", "bars", "curves", "over_steps", "scatter"]
 
 RUN_COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555"
 DPI = 150
-SMOOTH = 0.9  # decay factor of the exponential average
+SMOOTHING = 0.9  # decay factor of the exponential average
 Series = Mapping[str, Sequence[float | None]]
 """Of each run, a number for each step; None where there is none."""
 
@@ -51,8 +51,8 @@ def averaged(values: Sequence[float]) -> list[float]:
     """Return the exponential average of values, with bias correction at the start."""
     averages, total, weight = list[float](), 0.0, 0.0
     for value in values:
-        total = SMOOTH * total + (1.0 - SMOOTH) * value
-        weight = SMOOTH * weight + 1.0 - SMOOTH
+        total = SMOOTHING * total + (1.0 - SMOOTHING) * value
+        weight = SMOOTHING * weight + 1.0 - SMOOTHING
         averages.append(total / weight)
     return averages
 
@@ -62,7 +62,7 @@ def averaged(values: Sequence[float]) -> list[float]:
 
 
 SERIES_COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d"
-LONGEST = 24  # characters of a name on an axis
+MAX_NAME_LENGTH = 24  # characters of a name on an axis
 
 
 class Bar(NamedTuple):
@@ -82,7 +82,7 @@ class Point(NamedTuple):
 
 
 def _shorten_name(name: str) -> str:
-    return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
+    return name if len(name) <= MAX_NAME_LENGTH else f"{name[: MAX_NAME_LENGTH - 1]}…"
 
 
 def _errors(held: Sequence[Bar]) -> list[list[float]]:

@@ -14,7 +14,7 @@ Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table", "ball", "s
 HATCH, STEP = 0.2, 0.22  # units: length and distance of the strokes that mark fixed surfaces
 SLANT = complex(-0.7071, -0.7071)
 SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
-LETTER = 2  # characters of a letter with index; longer names are nouns
+MAX_LETTER_LENGTH = 2  # characters of a letter with index; longer names are nouns
 NAMED, LATEX = (
     re.compile(r"\\[a-zA-Z]+"),
     re.compile(r"[${}_^\\]"),

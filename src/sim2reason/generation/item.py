@@ -24,7 +24,7 @@ from sim2reason.questions.prompt_formats import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.description import formula_unit, stated_value
 
-WIDTH = 88  # characters in a line of a printed prompt
+PROMPT_WIDTH = 88  # characters in a line of a printed prompt
 
 
 class Record(BaseModel):
@@ -352,8 +352,8 @@ class Item(Record):
 
 
 def _wrapped(line: str) -> str:
-    """Return a line of a prompt broken into lines of at most `WIDTH` characters; rows of tables stay whole."""
-    return line if line.startswith("|") else fill(line, WIDTH, break_long_words=False, break_on_hyphens=False)
+    """Return a line of a prompt broken into lines of at most `PROMPT_WIDTH` characters; rows of tables stay whole."""
+    return line if line.startswith("|") else fill(line, PROMPT_WIDTH, break_long_words=False, break_on_hyphens=False)
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:

@@ -50,7 +50,7 @@ def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int
     raise DrawError(f"{recipe} {difficulty} {seed} {index}: no scene fitted together; take another index")
 
 
-SHARE = 0.08
+EVERY_NEED_PROBABILITY = 0.08
 """Of the requests that may be filled by items which need more than `ELEMENTARY`; not all of them are."""
 SIMPLE = frozenset(need for need in Need if need <= ELEMENTARY)
 
@@ -62,7 +62,7 @@ def allowed_needs(request: Request) -> frozenset[Need]:
     if request.unfiltered:
         return EVERY
     coordinates = request.recipe, request.difficulty, request.mode, request.seed, request.index
-    return EVERY if generator(*coordinates, "needs").random() < SHARE else SIMPLE
+    return EVERY if generator(*coordinates, "needs").random() < EVERY_NEED_PROBABILITY else SIMPLE
 
 
 FEW_OPTIONS = "options: too few wrong answers"
@@ -102,26 +102,26 @@ def form_problem(
 MAX_SCENES = 60  # drawn for one item, at most
 SCENES_PER_KIND = 2  # scenes tried with one question kind before the next kind
 QUESTIONS_PER_SCENE = 2  # questions of one kind about one scene
-EMPTY = 40  # scenes without any question after which the search ends
-OTHERS = 3  # rounds of other kinds on the same scenes before new ones are drawn
-KNOWN = 4  # questions of a kind rejected for few laws after which the kind is tried last
+MAX_EMPTY_SCENES = 40  # scenes without any question after which the search ends
+OTHER_KIND_ROUNDS = 3  # rounds of other kinds on the same scenes before new ones are drawn
+MAX_FEW_LAWS = 4  # questions of a kind rejected for few laws after which the kind is tried last
 MAX_REFUSALS = 6  # questions of a kind rejected by any filter after which the kind is tried last
-UNFIT = 120  # draws of a kind that all need disallowed means after which the search gives up
-HOPELESS = 2  # draws of a kind that all need disallowed means after which the kind is tried last
+MAX_UNFIT_DRAWS = 120  # draws of a kind that all need disallowed means after which the search gives up
+MAX_HOPELESS_DRAWS = 2  # draws of a kind that all need disallowed means after which the kind is tried last
 MAX_UNFIT_KINDS = 2  # kinds needing disallowed means after which a scene is abandoned
-ABSENT = 3  # scenes that do not offer a kind after which the kind is tried last
+MAX_ABSENT_SCENES = 3  # scenes that do not offer a kind after which the kind is tried last
 SETTINGS = (
     MAX_SCENES,
     SCENES_PER_KIND,
     QUESTIONS_PER_SCENE,
-    OTHERS,
-    EMPTY,
-    KNOWN,
+    OTHER_KIND_ROUNDS,
+    MAX_EMPTY_SCENES,
+    MAX_FEW_LAWS,
     MAX_REFUSALS,
-    UNFIT,
-    HOPELESS,
+    MAX_UNFIT_DRAWS,
+    MAX_HOPELESS_DRAWS,
     MAX_UNFIT_KINDS,
-    ABSENT,
+    MAX_ABSENT_SCENES,
 )
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
@@ -160,8 +160,8 @@ class ItemSearch:
         """Return the first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, MAX_SCENES, SCENES_PER_KIND)):
             certified = self._among(range(first, first + SCENES_PER_KIND), self._order(turn))
-            hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
-            hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
+            hopeless = not self._first and self.rejected[NOTHING] >= MAX_EMPTY_SCENES
+            hopeless = hopeless or self.rejected[UNSUITED] >= MAX_UNFIT_DRAWS
             if certified is not None or hopeless:
                 return certified
         return None
@@ -178,8 +178,8 @@ class ItemSearch:
 
     def _is_last(self, kind: str) -> bool:
         """Return whether a kind is tried last: seldom possible, mostly rejected, or needing disallowed mathematics."""
-        known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
-        return known or self._refused[kind] >= MAX_REFUSALS or self._unsuited[kind] >= HOPELESS
+        known = self._known[kind] >= MAX_FEW_LAWS or self._absent[kind] >= MAX_ABSENT_SCENES
+        return known or self._refused[kind] >= MAX_REFUSALS or self._unsuited[kind] >= MAX_HOPELESS_DRAWS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """Return a question that passes all filters, about one of several drawn scenes; None if there is none."""
@@ -196,7 +196,7 @@ class ItemSearch:
                     continue
                 certified = self._ask_kind(search, rng, kind)
                 turns += kind in search.kinds or kind in search.beyond
-                if certified is not None or turns == OTHERS:
+                if certified is not None or turns == OTHER_KIND_ROUNDS:
                     return certified
         return None
 

@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
 
-CLEARLY = 2.0  # times the tolerance: distance of a distractor from the correct answer
+MIN_DISTANCE = 2.0  # times the tolerance: distance of a distractor from the correct answer
 SAME_ANSWER_RTOL = 1e-2  # relative; distractors that differ by less are merged
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
 MIN_DISTRACTORS = 1  # distractors; if there are fewer, a longer search runs
@@ -50,7 +50,7 @@ def _add(effect: Effect, candidate: Candidate, selected: list[Effect]) -> None:
     value, question = effect.answer, candidate.question
     if (
         value is None
-        or effect.change < CLEARLY * effect.tolerance
+        or effect.change < MIN_DISTANCE * effect.tolerance
         or not SMALLEST < abs(value / question.answer) < LARGEST
     ):
         return
@@ -113,7 +113,7 @@ def _at(scene: Scene, address: str) -> object:
 
 REQUIRED_DISTRACTORS = 3  # distractors
 OPTION_RTOL = 0.1  # relative difference between any two options, at least
-ROUNDING = 0.01  # relative: half a per cent for each of two rounded numbers
+OPTION_ROUNDING_RTOL = 0.01  # relative: half a per cent for each of two rounded numbers
 LACKS = f"it needs a number as its answer, and {REQUIRED_DISTRACTORS} wrong ones, all a tenth apart"
 
 OTHER, NAMES_OTHER = "other of two", "It names the other of the two."
@@ -182,7 +182,7 @@ def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
 
 def _is_distinct(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
     """Return whether a wrong answer differs clearly from the correct one and from all chosen options."""
-    separation = max(OPTION_RTOL, answer.tolerance) + ROUNDING
+    separation = max(OPTION_RTOL, answer.tolerance) + OPTION_ROUNDING_RTOL
     others = values(answer, chosen)
     return all(abs(wrong.value - other) > separation * max(abs(wrong.value), abs(other)) for other in others)
 

@@ -34,12 +34,12 @@ NUMBERS: dict[Difficulty, tuple[int, ...]] = {"easy": (2,), "medium": (2, 3), "h
 MIN_PARTS = 2
 LOOKED_AT, SIFTED = 16, 6  # candidates that are solved, and those of them that are filtered
 SURE_FIRST = 0.7  # probability that questions certainly related to a part are tried first
-EACH = 2  # further questions of a kind about one moment
+QUESTIONS_PER_KIND = 2  # further questions of a kind about one moment
 SAME_VALUE_RTOL = 1e-9  # relative; closer values belong to one quantity
-TRIVIAL = 1e-6  # relative; ratios this close to a simple number are trivial
-LARGEST = 8  # numerator and denominator of a simple number
+TRIVIAL_RTOL = 1e-6  # relative; ratios this close to a simple number are trivial
+MAX_NUMERATOR = 8  # numerator and denominator of a simple number
 NOTHING_LEADS = "parts: no two lead to each other"
-SETTINGS = NUMBERS, MIN_PARTS, LOOKED_AT, SIFTED, EACH
+SETTINGS = NUMBERS, MIN_PARTS, LOOKED_AT, SIFTED, QUESTIONS_PER_KIND
 
 
 @dataclass(frozen=True)
@@ -153,9 +153,9 @@ class PartSearch:
         """Yield questions about the start and the moments of the parts, then one of each kind about anything."""
         search, kinds = self._search, sorted(self._mode.kinds)
         pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
-        order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
+        order: list[int] = self._rng.permutation(QUESTIONS_PER_KIND * len(pairs)).tolist()
         for number in order:
-            yield from self._queries_at(*pairs[number // EACH])
+            yield from self._queries_at(*pairs[number // QUESTIONS_PER_KIND])
         order = self._rng.permutation(len(kinds)).tolist()
         for number in order:
             query = KINDS[kinds[number]].draw(search.study, search.words, self._targets, self._rng)
@@ -282,8 +282,8 @@ def _tells(question: Question, other: Question) -> bool:
 def _is_simple(ratio: float) -> bool:
     """Return whether a ratio is a fraction of small integers, possibly times π."""
     return any(
-        abs(ratio * below / unit - round(ratio * below / unit)) <= TRIVIAL * ratio * below / unit
-        and 1 <= round(ratio * below / unit) <= LARGEST
+        abs(ratio * below / unit - round(ratio * below / unit)) <= TRIVIAL_RTOL * ratio * below / unit
+        and 1 <= round(ratio * below / unit) <= MAX_NUMERATOR
         for unit in (1.0, pi)
-        for below in range(1, LARGEST + 1)
+        for below in range(1, MAX_NUMERATOR + 1)
     )

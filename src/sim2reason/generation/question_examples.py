@@ -35,7 +35,7 @@ from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
 LEVELS = "medium", "easy", "hard"
-SEEDS = 12  # scenes of each recipe
+SEED_COUNT = 12  # scenes of each recipe
 
 
 class AskedExample(NamedTuple):
@@ -76,7 +76,7 @@ def examples() -> Examples:
 @cache
 def scenes() -> tuple[Scene, ...]:
     """Return the scenes searched for examples: those with rare features first, then some of every recipe."""
-    drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
+    drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEED_COUNT) for recipe in RECIPES)
     return (*(loads(own.text) for own in (*OWN, *ASKED)), *drawn)
 
 

@@ -24,13 +24,13 @@ from sim2reason.simulation.certify import Certificate, certify_trace
 from sim2reason.solutions.derivation import may_have_solution, shortest_solution
 from sim2reason.text.prose.description import Description, describe
 
-SAMPLES = 41
-SHORTEST = 0.05  # of the horizon: shortest certified part of a motion
-WORDINGS = 6  # tries
-QUESTIONS = 4  # different tries
+SAMPLE_COUNT = 41
+MIN_CERTIFIED_FRACTION = 0.05  # of the horizon: shortest certified part of a motion
+MAX_WORDINGS = 6  # tries
+MAX_QUESTIONS = 4  # different tries
 DRAWS, MISSES = 8, 2  # questions drawn, and failed draws in a row, at most
-CHOOSY = 8  # factor on the draws if only some quantities are allowed
-SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
+DRAW_FACTOR = 8  # factor on the draws if only some quantities are allowed
+SETTINGS = SAMPLE_COUNT, MIN_CERTIFIED_FRACTION, MAX_WORDINGS, MAX_QUESTIONS, DRAWS, MISSES, DRAW_FACTOR
 NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # causes as counted in a manifest
 UNSUITED = "needs: before an answer"  # cause as counted in a manifest
 
@@ -95,7 +95,7 @@ class QuestionSearch:
         self.study = (
             scene
             if isinstance(scene, SimulatedScene)
-            else SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
+            else SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLE_COUNT))
         )
         self._first_wording = wording
         self._certified_motion: tuple[SimulatedScene, Certificate] | None = None
@@ -109,7 +109,7 @@ class QuestionSearch:
     def description(self) -> Description:
         """Return the text of the scene, in a wording with short sentences about strings if one of a few has them."""
         first = describe(self.study.scene, self._first_wording)
-        others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
+        others = (describe(self.study.scene, self._first_wording + n) for n in range(1, MAX_WORDINGS))
         return next((wording for wording in chain([first], others) if is_followable(wording.sentences)), first)
 
     @cached_property
@@ -150,7 +150,7 @@ class QuestionSearch:
     @property
     def is_unstable(self) -> bool:
         """Return whether the engines fail early in the motion."""
-        return self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1])
+        return self.study.trace.stable_until < MIN_CERTIFIED_FRACTION * float(self.study.trace.state.times[-1])
 
     def ask(
         self,
@@ -158,7 +158,7 @@ class QuestionSearch:
         rng: np.random.Generator,
         refused: Counter[str],
         kind: str = "",
-        tries: int = QUESTIONS,
+        tries: int = MAX_QUESTIONS,
     ) -> CertifiedQuestion | None:
         """Return a question that passes every filter, or None; `refused` counts the rejections by filter.
 
@@ -297,7 +297,7 @@ class QuestionSearch:
         seen, missed = set[tuple[Query, str]](), 0
         if kind and not may_have_solution(kind, self.study, max(self._needs)):
             return
-        for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
+        for _ in range(DRAWS * tries // MAX_QUESTIONS * (DRAW_FACTOR if self._quantities else 1)):
             self._refused = False
             question = mode.ask(self.study, self.words, kind, rng, self._suits)
             if question is None and self._refused:

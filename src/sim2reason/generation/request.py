@@ -22,7 +22,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.accuracy import TOLERANCE, out_of_range
 
-LARGEST = 2**63 - 1
+MAX_SEED = 2**63 - 1
 """The largest seed and index: columns of a shard hold no more."""
 SI = "SI"
 """The system of units of which a text speaks by default."""
@@ -43,8 +43,8 @@ def nonnegative_integer(name: str, value: object) -> int:
         integer = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
     except TypeError:
         integer = -1
-    if not 0 <= integer <= LARGEST:
-        raise DrawError(f"{name}: {value!r} is no whole number from 0 to {LARGEST}; give one")
+    if not 0 <= integer <= MAX_SEED:
+        raise DrawError(f"{name}: {value!r} is no whole number from 0 to {MAX_SEED}; give one")
     return integer
 
 

@@ -13,13 +13,13 @@ from sim2reason.generation.item import Item, QueryRecord
 from sim2reason.grading.formula import CompiledFormula, compile_formula
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 
-POINTS = 6  # at which formulas are evaluated; some have no value at most points because of square roots
-PAIRED = 3  # of them at which pairs of symbols are also changed
-RANGE = 0.2, 5.0  # of values in coherent units
+SAMPLE_POINTS = 6  # at which formulas are evaluated; some have no value at most points because of square roots
+PAIR_POINTS = 3  # of them at which pairs of symbols are also changed
+VALUE_RANGE = 0.2, 5.0  # of values in coherent units
 ANGLES = 0.1 * pi, 0.45 * pi  # rad
-STEPS = 1.3717, 1.7331  # factors on the first and the second symbol of a pair
-DIGITS = 6  # of a value relative to the largest, far coarser than rounding errors
-FEWEST = 4  # nonzero values from which a formula's fingerprint is distinctive
+PAIR_FACTORS = 1.3717, 1.7331  # factors on the first and the second symbol of a pair
+VALUE_DIGITS = 6  # of a value relative to the largest, far coarser than rounding errors
+MIN_NONZERO_VALUES = 4  # nonzero values from which a formula's fingerprint is distinctive
 
 Values = Mapping[tuple[int, ...], float | None]
 """The values at one point, by the places of the symbols that are moved; None where there is none."""
@@ -44,8 +44,8 @@ def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) ->
         return latex
     unit_of = dict(zip(symbols, units, strict=True))
     roles = [parse_unit(unit_of[name]).dimension for name in formula.symbols]
-    samples = [_rounded(_values(formula, roles, point)) for point in range(POINTS)]
-    if sum(bool(value) for each in samples if each for value in each.multiples.values()) < FEWEST:
+    samples = [_rounded(_values(formula, roles, point)) for point in range(SAMPLE_POINTS)]
+    if sum(bool(value) for each in samples if each for value in each.multiples.values()) < MIN_NONZERO_VALUES:
         return latex
     signed = (json.dumps(_form(samples, roles, sign)) for sign in (1, -1))
     return blake2b(min(signed).encode(), digest_size=16, person=b"formula").hexdigest()
@@ -54,19 +54,19 @@ def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) ->
 def _values(formula: CompiledFormula, roles: Sequence[Dimension], point: int) -> Values:
     base = [_number(role, point) for role in roles]
     places = range(len(roles))
-    moves = [(), *((index,) for index in places), *(permutations(places, 2) if point < PAIRED else ())]
+    moves = [(), *((index,) for index in places), *(permutations(places, 2) if point < PAIR_POINTS else ())]
     return {moved: formula.value(dict(zip(formula.symbols, _moved(base, moved), strict=True))) for moved in moves}
 
 
 def _number(role: Dimension, point: int) -> float:
     """Return the value given to all symbols of one dimension when two formulas are compared at a sample point."""
     digest = blake2b(f"{point} {tuple(role)}".encode(), digest_size=8).digest()
-    low, high = ANGLES if role == Dimension(angle=1) else RANGE
+    low, high = ANGLES if role == Dimension(angle=1) else VALUE_RANGE
     return low * (high / low) ** (int.from_bytes(digest, "big") / 2.0**64)
 
 
 def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
-    factors = dict(zip(moved, STEPS, strict=False))
+    factors = dict(zip(moved, PAIR_FACTORS, strict=False))
     return (number * factors.get(index, 1.0) for index, number in enumerate(base))
 
 
@@ -75,19 +75,19 @@ def _rounded(values: Values) -> _Rounded | None:
     largest = max((abs(value) for value in values.values() if value is not None), default=0.0)
     if not largest:
         return None
-    share = 10.0**DIGITS / largest
+    share = 10.0**VALUE_DIGITS / largest
     return _Rounded({at: None if v is None else round(v * share) for at, v in values.items()}, log(largest))
 
 
 def _form(samples: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
     """Return a formula's sampled values, with a sign, sorted independently of the names of its symbols."""
     first = next(each.size for each in samples if each)
-    sizes = [each and round((each.size - first) * 10**DIGITS) for each in samples]
+    sizes = [each and round((each.size - first) * 10**VALUE_DIGITS) for each in samples]
 
     def at(*moved: int) -> list[int]:
         # what has no value sorts as a number that no value has
         values = (each.multiples.get(moved) if each else None for each in samples)
-        return [2 * 10**DIGITS if value is None else sign * value for value in values]
+        return [2 * 10**VALUE_DIGITS if value is None else sign * value for value in values]
 
     def seen_from(place: int) -> object:
         others = (other for other in range(len(roles)) if other != place)

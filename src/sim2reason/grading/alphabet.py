@@ -153,12 +153,12 @@ def alternatives_pattern(kind: str, text: str = "") -> str:
 
 
 Pieces = tuple[tuple[str, str], ...]
-_SHORT: Final = 24  # letters of the longest runs whose splits are cached
+_MAX_CACHED_LENGTH: Final = 24  # letters of the longest runs whose splits are cached
 
 
 def split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
     """Split letters such as ``mgh`` into known names, the longest first; None if some letter fits no name."""
-    return (_split if len(run) <= _SHORT else _split.__wrapped__)(run, symbols)
+    return (_split if len(run) <= _MAX_CACHED_LENGTH else _split.__wrapped__)(run, symbols)
 
 
 @lru_cache(maxsize=4096)

@@ -12,7 +12,7 @@ from sim2reason.grading.score import Outcome, Refused
 
 __all__ = [
     "CONSTANTS",
-    "POINTS",
+    "TEST_POINTS",
     "Bindings",
     "Node",
     "Ranges",
@@ -182,17 +182,17 @@ def inverse(name: str) -> str:
     return _HYPERBOLIC.get(name, f"arc{name}")
 
 
-POINTS: Final = 8
+TEST_POINTS: Final = 8
 MAX_CANDIDATES: Final = 128  # candidate points
-USUAL: Final = 0.2, 1.5  # default range of a positive quantity, all of one magnitude; angles acute
-WIDE: Final = 1e-3, 5.0  # range over several decades, in which single terms of a formula dominate
+USUAL_RANGE: Final = 0.2, 1.5  # default range of a positive quantity, all of one magnitude; angles acute
+WIDE_RANGE: Final = 1e-3, 5.0  # range over several decades, in which single terms of a formula dominate
 MAX_FACTOR: Final = 3.0  # largest factor between a given value and a test value
-AFAR: Final = 20.0  # largest factor in the search for a value of the opposite sign
+MAX_FAR_FACTOR: Final = 20.0  # largest factor in the search for a value of the opposite sign
 FAR_TRIES, TURNED = 24, 2
 RIGHT_ANGLE: Final = math.pi / 2
-MARGIN: Final = 0.01  # of a right angle, between angles and its multiples
-STEP: Final = 1e-9
-STEEPEST: Final = 1e4  # condition number above which a value has lost its digits
+ANGLE_MARGIN: Final = 0.01  # of a right angle, between angles and its multiples
+DIFFERENCE_RTOL: Final = 1e-9
+MAX_CONDITION_NUMBER: Final = 1e4  # condition number above which a value has lost its digits
 
 Bindings = Mapping[str, float]
 Ranges = Mapping[str, tuple[float, float]]
@@ -213,7 +213,7 @@ def draw_points(
         around = (_draw_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(MAX_CANDIDATES))
         yield from _valued(node, around)
         return
-    for low, high in (USUAL, WIDE):
+    for low, high in (USUAL_RANGE, WIDE_RANGE):
         ends = {name: _ends(name, ranges, low, high) for name in names}
         yield from _valued(node, (_within(ends, seed, attempt, low) for attempt in range(MAX_CANDIDATES)))
 
@@ -224,19 +224,20 @@ def opposite_sign_points(
     """Return values of the symbols at which the correct formula has the opposite sign, to detect a lost sign."""
     names = sorted(table)
     far = (
-        _draw_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES)
+        _draw_around(given[attempt % len(given)], names, seed, TEST_POINTS + attempt, MAX_FAR_FACTOR)
+        for attempt in range(FAR_TRIES)
     )
     return list(islice((point for point in far if (value(node, point) or 0.0) * sign < 0.0), TURNED))
 
 
 def _valued(node: Node, points: Iterator[Bindings]) -> Iterator[Bindings]:
-    return islice((point for point in points if well_conditioned_points(node, [point])), POINTS)
+    return islice((point for point in points if well_conditioned_points(node, [point])), TEST_POINTS)
 
 
 def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, float]:
     if name in ranges:
         return ranges[name]
-    return (low, min(high, USUAL[1])) if is_angle(name) else (low, high)
+    return (low, min(high, USUAL_RANGE[1])) if is_angle(name) else (low, high)
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
@@ -257,7 +258,7 @@ def _draw_around(given: Bindings, names: Sequence[str], seed: str, attempt: int,
         low, high = stated / far, stated * far
         if is_angle(name) and stated > 0:
             quadrant = stated // RIGHT_ANGLE
-            low, high = max(low, (quadrant + MARGIN) * RIGHT_ANGLE), (quadrant + 1 - MARGIN) * RIGHT_ANGLE
+            low, high = max(low, (quadrant + ANGLE_MARGIN) * RIGHT_ANGLE), (quadrant + 1 - ANGLE_MARGIN) * RIGHT_ANGLE
         point[name] = low * (high / low) ** share if stated else share
     return point
 
@@ -268,7 +269,9 @@ def well_conditioned_points(node: Node, points: Sequence[Bindings]) -> list[tupl
     for point in points:
         here = value(node, point)
         if here:
-            moved = value(node, {name: x * (1 + STEP * (1 + n % 3)) for n, (name, x) in enumerate(point.items())})
-            if moved is not None and abs(moved - here) <= STEEPEST * STEP * abs(here):
+            moved = value(
+                node, {name: x * (1 + DIFFERENCE_RTOL * (1 + n % 3)) for n, (name, x) in enumerate(point.items())}
+            )
+            if moved is not None and abs(moved - here) <= MAX_CONDITION_NUMBER * DIFFERENCE_RTOL * abs(here):
                 stable_points.append((point, here))
     return stable_points

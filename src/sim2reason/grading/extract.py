@@ -12,7 +12,7 @@ from sim2reason.grading.alphabet import HIDING, INK
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = [
-    "MAX_ANSWER",
+    "MAX_ANSWER_LENGTH",
     "OPENING",
     "boxed",
     "closed_boxes",
@@ -40,8 +40,8 @@ _ELEMENT: Final = re.compile(
     rf"<(?P<name>s|del|strike|script|style|template|noscript|[a-z][a-z0-9]*(?=[^<>]{{0,400}}(?:{_STYLE})))(?:\s[^<>]{{0,400}})?>",
     re.IGNORECASE,
 )
-SHORT: Final = 6  # characters after a box that are too few to deny it
-_NEAR: Final = 4000  # characters before a box that are searched for the start of a hiding command
+MAX_HARMLESS_LENGTH: Final = 6  # characters after a box that are too few to deny it
+_SEARCH_WINDOW: Final = 4000  # characters before a box that are searched for the start of a hiding command
 _DENYING: Final = re.compile(r"no|nev|nei|n['’]t|wit|exc|unl|rath|inst|wron|inco|fals")
 """A part of every word that denies, which is found at once."""
 _DENIED_BEFORE: Final = re.compile(
@@ -64,10 +64,10 @@ _DENIED_BEHIND: Final = re.compile(
 def fault_of_box(text: str, begin: int, end: int) -> str:
     """Return the reason why a box with its content from `begin` to `end` does not count; empty if it counts."""
     start = text.rfind("\\", 0, begin)
-    before, behind = text[max(start - _NEAR, 0) : start], text[end : end + 80]
+    before, behind = text[max(start - _SEARCH_WINDOW, 0) : start], text[end : end + 80]
     near = before[-60:].lower()
     denied = _DENYING.search(near) is not None and _DENIED_BEFORE.search(near) is not None
-    if denied or (len(behind) > SHORT and _DENIED_BEHIND.match(behind)):
+    if denied or (len(behind) > MAX_HARMLESS_LENGTH and _DENIED_BEHIND.match(behind)):
         return "words beside the box deny it"
     return "print hides the box" if _is_hidden(before, behind) else ""
 
@@ -185,12 +185,12 @@ def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
     return within and len(marks) <= MAX_QUOTED_MARKS and r"\boxed" not in text[first:]
 
 
-MAX_RESPONSE: Final = 1_000_000
-MAX_ANSWER: Final = 1_000
-WINDOW: Final = 32_768  # characters after the thinking in which the box must occur
+MAX_RESPONSE_LENGTH: Final = 1_000_000
+MAX_ANSWER_LENGTH: Final = 1_000
+MAX_BOX_DISTANCE: Final = 32_768  # characters after the thinking in which the box must occur
 
 BLANK: Final = " \t\r\n\ufeff"  # characters of an empty box
-NESTED: Final = 6  # levels of lists of messages and their content parts
+MAX_NESTING: Final = 6  # levels of lists of messages and their content parts
 
 _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 
@@ -201,11 +201,11 @@ def response_string(given: object) -> str:
     Raises `Refused` (no answer) if there is no text.
     """
     response = given
-    for _ in range(NESTED):
+    for _ in range(MAX_NESTING):
         if isinstance(response, str):
             return response
         if isinstance(response, bytes | bytearray):
-            return bytes(response[: 4 * MAX_RESPONSE + 4]).decode(errors="replace")
+            return bytes(response[: 4 * MAX_RESPONSE_LENGTH + 4]).decode(errors="replace")
         if isinstance(response, Mapping):
             fields = cast("Mapping[object, object]", response)
             response = fields.get("content", fields.get("text"))
@@ -229,9 +229,9 @@ def prepend_opening_mark(given: object) -> object:
 def response_text(given: object) -> str:
     """Return the text of a response after the thinking; Refused if the thinking never ends."""
     response = response_string(given)
-    if len(response) > MAX_RESPONSE:
-        raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE} characters")
-    return remove_thinking(response)[-WINDOW:]
+    if len(response) > MAX_RESPONSE_LENGTH:
+        raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE_LENGTH} characters")
+    return remove_thinking(response)[-MAX_BOX_DISTANCE:]
 
 
 def boxed(response: object) -> str:
@@ -249,8 +249,8 @@ def boxed(response: object) -> str:
     if fault := fault_of_box(text, *last_span):
         raise Refused(Outcome.UNREADABLE, fault)
     answer = content(text, last_span)
-    if len(answer) > MAX_ANSWER:
-        raise Refused(Outcome.TOO_LONG, f"the answer has more than {MAX_ANSWER} characters")
+    if len(answer) > MAX_ANSWER_LENGTH:
+        raise Refused(Outcome.TOO_LONG, f"the answer has more than {MAX_ANSWER_LENGTH} characters")
     return answer
 
 

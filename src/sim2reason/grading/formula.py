@@ -12,7 +12,7 @@ from typing import Final
 
 from sim2reason.grading import arithmetic, remarks
 from sim2reason.grading.arithmetic import (
-    POINTS,
+    TEST_POINTS,
     Bindings,
     Node,
     Ranges,
@@ -169,11 +169,11 @@ def _truth(
     given_points = well_conditioned_points(node, bindings)
     fresh = well_conditioned_points(node, list(draw_points(node, table, bindings, ranges, reference)))
     signs = {value > 0 for _, value in (*given_points, *fresh)}
-    if bindings and len(signs) == 1 and (signed or len(bindings) < POINTS):
+    if bindings and len(signs) == 1 and (signed or len(bindings) < TEST_POINTS):
         fresh += well_conditioned_points(
             node, opposite_sign_points(node, table, bindings, 1.0 if True in signs else -1.0, reference)
         )
-    if len(bindings) < POINTS:
+    if len(bindings) < TEST_POINTS:
         return _freeze_truth(reference, table, [*given_points, *fresh])
     if not signed:  # where a magnitude comes out negative, its formula does not hold
         fresh = [(point, value) for point, value in fresh if value * given_points[0][1] > 0] if given_points else []

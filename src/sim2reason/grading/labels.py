@@ -63,7 +63,7 @@ _NAMES: Final = frozenset({"word", "symbol"})
 _NUMBERS: Final = frozenset({"number", "part", "constant"})
 _SIGNS: Final = frozenset({"plus", "minus", "dash"})
 _OPERATORS: Final = frozenset({"times", "open", "fraction", "root", "over", "bar", "function"}) | _SIGNS
-_LONGEST: Final = 3  # letters side by side that are a product or an abbreviation, not a word
+_MAX_PRODUCT_LETTERS: Final = 3  # letters side by side that are a product or an abbreviation, not a word
 
 
 def _unreadable(why: str) -> Refused:
@@ -79,7 +79,9 @@ def _textual(token: Token) -> bool:
         return False
     if word.lower() in DENIALS or word.lower() in _COMPARISONS:
         return True
-    return (len(word) > _LONGEST or token.upright) and not (word.isupper() and len(word) <= _LONGEST)
+    return (len(word) > _MAX_PRODUCT_LETTERS or token.upright) and not (
+        word.isupper() and len(word) <= _MAX_PRODUCT_LETTERS
+    )
 
 
 def names(side: Sequence[Token]) -> list[tuple[str, str]]:
@@ -102,7 +104,13 @@ def is_change(token: Token) -> bool:
 def _letters(token: Token) -> list[tuple[str, str]]:
     """Return the symbols in a token; a run such as ``mgh`` gives three."""
     run = token.text
-    if token.kind == "word" and 1 < len(run) <= _LONGEST and run.isascii() and run.islower() and run not in GREEK_NAMES:
+    if (
+        token.kind == "word"
+        and 1 < len(run) <= _MAX_PRODUCT_LETTERS
+        and run.isascii()
+        and run.islower()
+        and run not in GREEK_NAMES
+    ):
         return [*((letter, "") for letter in run[:-1]), (run[-1], token.label)]
     return [(run, token.label)]
 

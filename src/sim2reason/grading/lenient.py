@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from sim2reason.grading.alphabet import HEDGES, SOFT_HEDGES
-from sim2reason.grading.extract import MAX_ANSWER, response_text
+from sim2reason.grading.extract import MAX_ANSWER_LENGTH, response_text
 from sim2reason.grading.labels import DENIALS
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.units import is_unit, parse_answer_unit
@@ -17,8 +17,8 @@ from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["last_quantity"]
 
-MOST_WORDS: Final = 6  # of a unit
-WORD: Final = 3  # letters from which a run is an English word, not a product of symbols
+MAX_WORDS: Final = 6  # of a unit
+MIN_WORD_LENGTH: Final = 3  # letters from which a run is an English word, not a product of symbols
 
 _NUMBER: Final = re.compile(
     r"(?<![\w.^{\\])(?<![\^{][-+−–])[-+−–]?(?:[0-9]{1,3}(?:,[0-9]{3})+|[0-9]+)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]{1,4})?(?![0-9])"
@@ -55,7 +55,7 @@ _DENIES: Final = re.compile(
 )
 _DENIED_BEHIND: Final = frozenset({"not", "wrong", "incorrect", "false", "isn't", "wasn't", "never", "impossible"})
 _RELATION: Final = re.compile(r"(?:=|≈|\\approx|\\simeq)\s*\Z")
-_WORDS: Final = re.compile(rf"[A-Za-z]{{{WORD},}}")
+_WORDS: Final = re.compile(rf"[A-Za-z]{{{MIN_WORD_LENGTH},}}")
 _LEFT: Final = re.compile(r"[^\s,;:]+")
 
 
@@ -65,7 +65,7 @@ def last_quantity(response: object) -> Iterator[str]:
     Raises `Refused`: no answer without a number, wrong if the sentence contains another value or a denial, unreadable
     if the number is part of an expression.
     """
-    sentence = _last_sentence(_unwrapped(response_text(response)[-MAX_ANSWER:]))
+    sentence = _last_sentence(_unwrapped(response_text(response)[-MAX_ANSWER_LENGTH:]))
     yield sentence
     *_, last = [None, *_NUMBER.finditer(sentence)]
     if last is None:
@@ -134,7 +134,7 @@ def _unit_before_prose(tail: str) -> str | None:
     if tail.startswith(","):
         return "" if _is_prose(tail.split()) else None
     words = tail.split()
-    for count in range(min(MOST_WORDS, len(words)), 0, -1):
+    for count in range(min(MAX_WORDS, len(words)), 0, -1):
         unit = " ".join(words[:count]).rstrip(",;:*$")
         try:
             parse_answer_unit(unit, None)

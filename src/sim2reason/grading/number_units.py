@@ -22,7 +22,7 @@ from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["find_left_unit", "may_be", "smaller_part"]
 
-SIXTY: Final = 60  # minutes in a degree, and seconds in a minute
+MINUTES_PER_DEGREE: Final = 60  # minutes in a degree, and seconds in a minute
 
 _PARTS: Final = re.compile(
     r"\s*(?P<unit>[A-Za-z]{1,12})(?P<rest>(?:\s*[0-9]{1,4}(?:\.[0-9]{1,6})?\s*[A-Za-z]{1,12}){1,3})\s*"
@@ -70,12 +70,12 @@ def _added(first_unit: str, parts: list[tuple[str, str]], target_unit: Unit | No
 def _of_arc(match: re.Match[str]) -> tuple[Unit, float] | None:
     """Return the degree as a unit, and the minutes and seconds of arc in degrees; None if either is 60 or more."""
     minutes, seconds = float(match["minutes"]), float(match["seconds"] or 0)
-    return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None
+    return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < MINUTES_PER_DEGREE else None
 
 
 _LABELS: Final = frozenset("ABC")  # of bodies and points, unless the asked unit says that they are units
 _BEHIND: Final = frozenset({"of", "for", "at", "on"})  # words that may follow a unit: *speed in m/s of A*
-_LONGEST: Final = 16  # tokens of a unit
+_MAX_UNIT_TOKENS: Final = 16  # tokens of a unit
 
 
 def find_left_unit(content: str, sides: Iterable[Sequence[Token]], target_unit: Unit | None) -> Unit | None:
@@ -113,18 +113,18 @@ def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]
             if end:
                 yield rest[:end]
         elif named and _stands_apart(content, side, at):
-            yield side[at : at + _LONGEST]
+            yield side[at : at + _MAX_UNIT_TOKENS]
             return
         named = named or (not token.upright and bool(labels.names([token])) and not labels.is_change(token))
 
 
 def _take_until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
     depth = 0
-    for at in range(start, min(len(side), start + _LONGEST)):
+    for at in range(start, min(len(side), start + _MAX_UNIT_TOKENS)):
         depth += (side[at].kind == "open") - (side[at].kind == "close")
         if depth < 0:
             return side[start:at]
-    return side[start : start + _LONGEST]
+    return side[start : start + _MAX_UNIT_TOKENS]
 
 
 def _stands_apart(content: str, side: Sequence[Token], at: int) -> bool:
@@ -153,7 +153,7 @@ _USUAL: Final[dict[str, tuple[Dimension, ...]]] = {
     for letter in letters.split()
 }
 _MAX_LETTERS: Final = 6  # letters of an expression
-_SCALES: Final = (1.9, 2.3, 3.1)  # factors by which the units of length, mass and time are enlarged
+_UNIT_SCALES: Final = (1.9, 2.3, 3.1)  # factors by which the units of length, mass and time are enlarged
 _SCALING_RTOL: Final = 1e-9
 
 
@@ -195,7 +195,7 @@ def _has_dimension(node: Node, dimensions: dict[str, Dimension], wanted: Dimensi
     here = arithmetic.value(node, {letter: 1.0 + 0.3 * index for index, letter in enumerate(dimensions)})
     if not here:
         return True
-    for axis, scale in enumerate(_SCALES):
+    for axis, scale in enumerate(_UNIT_SCALES):
         larger = {letter: (1.0 + 0.3 * n) * scale ** dimensions[letter][axis] for n, letter in enumerate(dimensions)}
         there = arithmetic.value(node, larger)
         if there is not None and abs(there - here * scale ** wanted[axis]) > _SCALING_RTOL * abs(there):

@@ -5,7 +5,7 @@ from enum import StrEnum
 
 __all__ = ["Outcome", "Refused", "Score"]
 
-SHOWN = 80  # characters of the parsed value in a repr
+MAX_SHOWN_LENGTH = 80  # characters of the parsed value in a repr
 
 
 class Outcome(StrEnum):
@@ -63,7 +63,7 @@ class Score:
     def __repr__(self) -> str:
         """Return the reward, the outcome, the parsed value, and the number of parts if there are several."""
         parsed = repr(self.parsed)
-        shown = parsed if len(parsed) <= SHOWN else f"{parsed[: SHOWN - 1]}…"
+        shown = parsed if len(parsed) <= MAX_SHOWN_LENGTH else f"{parsed[: MAX_SHOWN_LENGTH - 1]}…"
         parts = f", parts={len(self.parts)}" if self.parts else ""
         return f"<Score {self.reward:g}: {self.outcome}, parsed={shown}{parts}>"
 

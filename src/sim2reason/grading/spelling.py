@@ -159,7 +159,7 @@ _REPEATING: Final = re.compile(
     r"(?P<digits>[0-9]*\.[0-9]*)\s*\\(?:overline|bar|dot)(?:\s*\{(?P<many>[0-9]{1,6})\}|\s*(?P<one>[0-9]))"
 )
 _BOLD: Final = re.compile(r"\*\*(?=\s*(?:\Z|[,;.:)=≈]|\\|[A-Za-z]))")
-DIGITS: Final = 18  # of a repeating decimal, enough for a float
+REPEATED_DIGITS: Final = 18  # of a repeating decimal, enough for a float
 
 
 def normalize_spelling(content: str) -> str:
@@ -201,4 +201,4 @@ def _unmarked(content: str) -> str:
 
 def _repeated(match: re.Match[str]) -> str:
     cycle = match["many"] or match["one"]
-    return match["digits"] + (cycle * DIGITS)[:DIGITS]
+    return match["digits"] + (cycle * REPEATED_DIGITS)[:REPEATED_DIGITS]

@@ -20,7 +20,7 @@ from sim2reason.scenes.dsl.units import Unit, UnitError, combined, parse_unit
 
 __all__ = ["FURTHER", "expand_siunitx", "is_unit", "parse_answer_unit"]
 
-_ENTRIES: Final = (  # symbol, further spellings, size, and the unit of our table that it is in
+_FURTHER_ENTRIES: Final = (  # symbol, further spellings, size, and the unit of our table that it is in
     ("ft", "foot feet", 0.3048, "m"),
     ("inch", "inches", 0.0254, "m"),
     ("yd", "yard yards", 0.9144, "m"),
@@ -42,7 +42,7 @@ _ENTRIES: Final = (  # symbol, further spellings, size, and the unit of our tabl
 )
 FURTHER: Final[dict[str, Unit]] = {
     word: Unit(symbol, size * parse_unit(unit).factor, parse_unit(unit).dimension)
-    for symbol, names, size, unit in _ENTRIES
+    for symbol, names, size, unit in _FURTHER_ENTRIES
     for word in (symbol, *names.split())
 }
 """Each by all words that spell it."""

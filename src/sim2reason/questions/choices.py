@@ -19,7 +19,7 @@ MIN_VARIATION = 0.05  # relative: a value that varies by less is graded correct 
 CONSTANT_RTOL = 1e-6  # relative: a value that varies by less is constant
 ENDINGS = frozenset({"reach", "limit"})  # events that a text excludes
 SAMPLED_FRACTIONS = np.array([0.07, 0.3, 0.6, 0.93])  # of an interval between two events: sampled fractions
-SEVERAL = 2  # sampled instants, of eight, at which a varying value must differ
+MIN_DISTINCT_SAMPLES = 2  # sampled instants, of eight, at which a varying value must differ
 Values = Callable[[Array], Array]
 """A value at some instants, s: (n,) to (n,); NaN where there is none."""
 
@@ -39,9 +39,9 @@ def depends_on_moment(moment: Moment, trace: Trace, time: float, values: Values)
 
     ends = [0, len(others) - 1]  # which most often differ: the rest need not be looked at then
     count = differing(others[ends])
-    if count < SEVERAL:
+    if count < MIN_DISTINCT_SAMPLES:
         count += differing(np.delete(others, ends))
-    return count >= SEVERAL or (len(sides) > 0 and differing(sides) > 0)
+    return count >= MIN_DISTINCT_SAMPLES or (len(sides) > 0 and differing(sides) > 0)
 
 
 def is_constant(target: Target, trace: Trace) -> bool:

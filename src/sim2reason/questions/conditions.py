@@ -11,18 +11,20 @@ from sim2reason.questions.query import Noun, Query
 from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.words import Words
 
-STRIDES = (16, 4)  # steps of the scan: a coarse pass first
-SMOOTH = 0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
+SCAN_STRIDES = (16, 4)  # steps of the scan: a coarse pass first
+MAX_CUBIC_ERROR = (
+    0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
+)
 ROOT_RTOL = 0.01  # relative: values closer to the root are the same root
-DIP = 3  # parabolic guesses for a minimum of the difference between answer and given result
-SHALLOW = 0.3  # of the smallest known difference: a parabolic guess above this fraction is not evaluated
+MAX_PARABOLIC_GUESSES = 3  # parabolic guesses for a minimum of the difference between answer and given result
+MAX_DIP_FRACTION = 0.3  # of the smallest known difference: a parabolic guess above this fraction is not evaluated
 NEAR_MARGINS = 10.0  # smallest significant differences: only nearer answers are recomputed, and searched for kinks
-KINK = 10  # halvings near a minimum that is a kink
+MAX_KINK_HALVINGS = 10  # halvings near a minimum that is a kink
 EDGE_RTOL = 0.01  # relative: distance from the root at which a missing answer is tested
-BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
-UNEVEN = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval
-FINER = 3  # refinements of uneven intervals
-CLOSER = 5  # halvings between numbers with different courses of events
+EXTRAPOLATION_STEPS = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
+MAX_LINE_ERROR = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval
+MAX_REFINEMENTS = 3  # refinements of uneven intervals
+MAX_COURSE_HALVINGS = 5  # halvings between numbers with different courses of events
 
 
 class UniquenessScan:
@@ -73,12 +75,17 @@ class UniquenessScan:
         """
         for last, before in ((values[0], values[1]), (values[-1], values[-2])):
             here, inside = self._scaled_distance(last), self._scaled_distance(before)
-            if here is not None and inside is not None and isfinite(inside) and here <= BEHIND * (inside - here):
+            if (
+                here is not None
+                and inside is not None
+                and isfinite(inside)
+                and here <= EXTRAPOLATION_STEPS * (inside - here)
+            ):
                 return last
         return None
 
     def _tried(self, values: Sequence[float]) -> Iterator[float]:
-        for stride in STRIDES:
+        for stride in SCAN_STRIDES:
             yield from filter(self._is_apart, values[stride // 2 :: stride])
         yield from filter(self._is_apart, self._between(values))
         yield from self._borders()
@@ -88,7 +95,7 @@ class UniquenessScan:
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
         """Yield those of `values` that the coarse passes omit, except in intervals where the answer is smooth."""
-        stride = STRIDES[-1]
+        stride = SCAN_STRIDES[-1]
         first = stride // 2
         last = len(values) - 1 - (len(values) - 1 - first) % stride
         yield from (*values[:first], *values[last + 1 :])
@@ -99,7 +106,7 @@ class UniquenessScan:
 
     def _is_smooth(self, values: Sequence[float], low: int) -> bool:
         """Return whether the answer is monotonic around a value and agrees with a cubic interpolation."""
-        stride = STRIDES[-1]
+        stride = SCAN_STRIDES[-1]
         ends = [values[at] for at in (low, low + stride)]
         middle = values[low + stride // 2]
         if ends[0] <= self._root <= ends[1] or any(self._differ(middle, end) for end in ends):
@@ -118,7 +125,7 @@ class UniquenessScan:
             guess = (3.0 * near + 6.0 * far - beyond) / 8.0
         else:
             return False
-        return abs(b - guess) <= SMOOTH * min(a, c)
+        return abs(b - guess) <= MAX_CUBIC_ERROR * min(a, c)
 
     def _beside(self, values: Sequence[float], index: int, end: float) -> float | None:
         """Return the known distance of the answer at `values[index]` from the given result; None if unknown."""
@@ -161,7 +168,7 @@ class UniquenessScan:
         If a midpoint has no answer, numbers that approach the limits of the range with an answer follow.
         """
         pairs = list(pairwise(sorted({*self._known, self._root})))
-        for _ in range(CLOSER):
+        for _ in range(MAX_COURSE_HALVINGS):
             differing = [pair for pair in pairs if self._differ(*pair)]
             middles = [0.5 * (low + high) for low, high in differing]
             yield from middles
@@ -185,12 +192,12 @@ class UniquenessScan:
                 yield from self._bottom(beyond[index - 1], beyond[index], beyond[index + 1])
 
     def _bottom(self, low: float, middle: float, high: float) -> Iterator[float]:
-        for guess in range(DIP + KINK):
+        for guess in range(MAX_PARABOLIC_GUESSES + MAX_KINK_HALVINGS):
             a, b, c = (self._scaled_distance(at) for at in (low, middle, high))
             if a is None or b is None or c is None or not (isfinite(a) and isfinite(c) and b < a and b <= c):
                 return
             bottom, depth = _lowest((low, a), (middle, b), (high, c))
-            if guess >= DIP or depth > SHALLOW * b or bottom in self._known:
+            if guess >= MAX_PARABOLIC_GUESSES or depth > MAX_DIP_FRACTION * b or bottom in self._known:
                 if b > NEAR_MARGINS:
                     return
                 bottom = 0.5 * (middle + max(low, high, key=lambda end: abs(end - middle)))
@@ -205,7 +212,7 @@ class UniquenessScan:
 
     def _swings(self) -> Iterator[float]:
         """Yield midpoints of intervals in which the answer varies unevenly and may oscillate."""
-        for _ in range(FINER):
+        for _ in range(MAX_REFINEMENTS):
             known = [(at, clear) for at, clear in sorted(self._known.items()) if clear is not None and isfinite(clear)]
             uneven = (each for each in zip(known, known[1:], known[2:], strict=False) if _is_uneven(*each))
             finer = {0.5 * (one[0] + other[0]) for each in uneven for one, other in pairwise(each)}
@@ -216,7 +223,7 @@ def _is_uneven(low: tuple[float, float], middle: tuple[float, float], high: tupl
     """Return whether a line through the outer two of three points (x, y) misses the middle point by far."""
     share = (middle[0] - low[0]) / (high[0] - low[0])
     line = (1.0 - share) * low[1] + share * high[1]
-    return abs(middle[1] - line) > UNEVEN * min(low[1], middle[1], high[1])
+    return abs(middle[1] - line) > MAX_LINE_ERROR * min(low[1], middle[1], high[1])
 
 
 def _lowest(*points: tuple[float, float]) -> tuple[float, float]:

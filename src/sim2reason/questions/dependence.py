@@ -14,17 +14,23 @@ from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import has_known_continuation, subjects_escape
-from sim2reason.questions.study import COARSE_STEP_ERROR, SHORTEST, TIME_MARGIN, SimulatedScene, change_directions
+from sim2reason.questions.study import (
+    COARSE_STEP_ERROR,
+    MIN_VARIANT_FRACTION,
+    TIME_MARGIN,
+    SimulatedScene,
+    change_directions,
+)
 from sim2reason.questions.unknown import LENGTHS, with_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, FINEST, Trace
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 
 LATE_HORIZON_FACTOR = 2.0  # times the scene's own horizon: simulation time for an event that may occur later;
 LAST_HORIZON_FACTOR = 8.0  # or for a query whose answer exists however late the event occurs
-BORDER = 12  # bisections towards the limit beyond which there is no answer
+BORDER_BISECTIONS = 12  # bisections towards the limit beyond which there is no answer
 EVENT_TIME_RTOL = 1e-6  # relative
-STEP = 1e-4  # relative step of numerical derivatives
+RELATIVE_STEP = 1e-4  # relative step of numerical derivatives
 SECANTS, ROUNDS, ROOT_RTOL = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
 STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 GROUND = "limit"  # kind of the event that ends the motion of a falling body
@@ -41,7 +47,7 @@ class AnswerFunction:
         query: Query,
         study: SimulatedScene,
         path: str,
-        error: float = FINEST,
+        error: float = DEFAULT_STEP_RTOL,
         scene: Scene | None = None,
         likely: Callable[[float], float] | None = None,
         patience: Sequence[float] = (),
@@ -171,12 +177,12 @@ class AnswerFunction:
         if moment is None and not KINDS[self._query.kind].awaited:
             known = [time for time in self._times.values() if time < inf]
             if known and not any(known):  # the motion has no part in it
-                return [(SHORTEST * end,)]
+                return [(MIN_VARIANT_FRACTION * end,)]
             if known:
                 return [(max(end, LATE_HORIZON_FACTOR * max(known)),)]
             return [(end, LATE_HORIZON_FACTOR * end, LAST_HORIZON_FACTOR * end, *later)]
         if moment is not None and (known := moment.stated_time) is not None:
-            return [(max(TIME_MARGIN * known, SHORTEST * end),)]
+            return [(max(TIME_MARGIN * known, MIN_VARIANT_FRACTION * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
         last = (LAST_HORIZON_FACTOR * end,) if self._later_counts or later else ()
         usual = end, LATE_HORIZON_FACTOR * end, *last, *later
@@ -185,18 +191,18 @@ class AnswerFunction:
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
 
     def rate(self, value: float) -> float | None:
-        """Return the one-sided derivative of the answer, with relative accuracy `STEP`; None if there is none."""
-        here, beside = self(value), self(value * (1.0 + STEP))
+        """Return the one-sided derivative of the answer, with relative accuracy `RELATIVE_STEP`; None if there is none."""
+        here, beside = self(value), self(value * (1.0 + RELATIVE_STEP))
         if here is None or beside is None or inf in (here, beside):
             return None
-        return (beside - here) / (STEP * value)
+        return (beside - here) / (RELATIVE_STEP * value)
 
     def solve_from(self, value: float, near: float) -> float | None:
         """Return the number for which the answer is `value`, by secants from `near`; None if they do not converge.
 
         Once the answer is accurate to `ROOT_RTOL`, one more secant step, which is not verified, improves the number.
         """
-        a, b = near, near * (1.0 + STEP)
+        a, b = near, near * (1.0 + RELATIVE_STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)
         for _ in range(SECANTS):
             if fa is None or fb is None or not (isfinite(fa) and isfinite(fb)):
@@ -254,7 +260,7 @@ def bisect_border(dependence: Callable[[float], float | None], one: float, other
     """Yield numbers that approach, by bisection, the limit between a number with an answer and one without."""
     has = [dependence(at) is not None for at in (one, other)]
     inside, outside = (one, other) if has[0] else (other, one)
-    for _ in range(BORDER if has[0] != has[1] else 0):
+    for _ in range(BORDER_BISECTIONS if has[0] != has[1] else 0):
         middle = 0.5 * (inside + outside)
         yield middle
         inside, outside = (middle, outside) if dependence(middle) is not None else (inside, middle)
@@ -273,8 +279,8 @@ def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float
     return [root for root in result if root is not None]
 
 
-FEW = 5  # values of the first pass; without a single reversal among them the search ends
-STRIDE = 2  # stride through the values of the second pass
+FIRST_PASS_VALUES = 5  # values of the first pass; without a single reversal among them the search ends
+SECOND_PASS_STRIDE = 2  # stride through the values of the second pass
 STENCIL_STEP = 0.01  # relative: step of finite differences
 NEWTON_STEPS = 6  # iterations of Newton's method
 MAX_RELATIVE_SHIFT = 0.2  # relative: largest total step
@@ -301,8 +307,12 @@ class ExtremeSearch:
 
         None if there are several or none, or not all values have an answer.
         """
-        coarse = [values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)] if len(values) > FEW else values
-        for some in (coarse, sorted({*coarse, *values[::STRIDE]})):
+        coarse = (
+            [values[n * (len(values) - 1) // (FIRST_PASS_VALUES - 1)] for n in range(FIRST_PASS_VALUES)]
+            if len(values) > FIRST_PASS_VALUES
+            else values
+        )
+        for some in (coarse, sorted({*coarse, *values[::SECOND_PASS_STRIDE]})):
             turn = self._turn(some)
             if turn is None:
                 return None

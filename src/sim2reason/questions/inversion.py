@@ -15,15 +15,15 @@ from sim2reason.questions.unknown import Unknown, beyond_range, range_of, usual_
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, FINEST
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES
 
 PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
 """Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""
 MAX_EXTREMA = 4  # greatest number of extrema of the answer that are examined
-GOLDEN = (5.0**0.5 - 1.0) / 2.0
+GOLDEN_RATIO = (5.0**0.5 - 1.0) / 2.0
 GOLDEN_SECTION_STEPS = 60  # of golden-section search
 TOUCHED, ZERO = 1e-9, 1e-7  # relative: how closely an extremum is found, and what is no distance from it
-SPARSE = 4  # only every fourth point of a range is tried with simulations of long duration
+SPARSE_STRIDE = 4  # only every fourth point of a range is tried with simulations of long duration
 
 
 def values_giving(query: Query, given: float, unknown: Unknown, study: SimulatedScene) -> list[float]:
@@ -42,7 +42,7 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
             None,
             PATIENCE[bool(changing(study.mechanism))],
         )
-        for values in () if roots else (range_of(scene, path)[::SPARSE], *beyond_range(scene, path)):
+        for values in () if roots else (range_of(scene, path)[::SPARSE_STRIDE], *beyond_range(scene, path)):
             roots += find_roots(patient, values, given)
         return roots or _approached(dependence, range_of(scene, path), beyond_range(scene, path), given)
 
@@ -73,7 +73,7 @@ def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -
     if start is None:
         return []
     side, size = start > given, abs(start - given)
-    points = [low, high - GOLDEN * (high - low), low + GOLDEN * (high - low), high]
+    points = [low, high - GOLDEN_RATIO * (high - low), low + GOLDEN_RATIO * (high - low), high]
     for _ in range(GOLDEN_SECTION_STEPS):
         answers = [dependence(at) for at in points[1:3]]
         if answers[0] is None or answers[1] is None:
@@ -84,7 +84,7 @@ def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -
                 return [end for end in ends if end is not None]
         nearer = abs(answers[0] - given) < abs(answers[1] - given)
         one, other = (points[0], points[2]) if nearer else (points[1], points[3])
-        points = [one, other - GOLDEN * (other - one), one + GOLDEN * (other - one), other]
+        points = [one, other - GOLDEN_RATIO * (other - one), one + GOLDEN_RATIO * (other - one), other]
         if other - one <= TOUCHED * abs(other):
             break
     middle = 0.5 * (points[0] + points[3])
@@ -106,10 +106,10 @@ SAMPLES = 65
 SCAN_STRIDE = 16  # stride of the first pass: without a change in it the search ends
 MAX_DOUBLINGS = 7  # greatest number of doublings of the duration
 THRESHOLD_RTOL, ROUGH = 1e-9, 1e-5  # relative: accuracy of the threshold, and of one for mere comparison
-WRONG = 1e-3  # relative: accuracy of a threshold known to be wrong
+WRONG_THRESHOLD_RTOL = 1e-3  # relative: accuracy of a threshold known to be wrong
 SAME_THRESHOLD_RTOL = 5e-7  # relative: two closer thresholds are equal
 SEARCH_RTOL, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
-BENT = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
+SECANT_MARGIN = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
 MAX_SECANT_GUESSES = 2  # guesses that should halve the bracket
 
 
@@ -130,7 +130,7 @@ class ThresholdSearch:
         self._known: dict[tuple[float, float], _OutcomeSample | None] = {}
         self._doublings: dict[float, int] = {}  # of the outcome's own duration, until it was clear
 
-    def __call__(self, value: float, error: float = FINEST) -> bool | None:
+    def __call__(self, value: float, error: float = DEFAULT_STEP_RTOL) -> bool | None:
         """Return whether the outcome occurs for a value; None without a motion. `error` bounds integration steps."""
         result = self._tried(value, error)
         return None if result is None else result.happens
@@ -180,7 +180,7 @@ class ThresholdSearch:
             self._change_brackets(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
         )
 
-    def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
+    def changes_at(self, value: float, *, above: bool, error: float = DEFAULT_STEP_RTOL) -> bool:
         """Return whether the outcome occurs just above a value and not just below it, or the reverse.
 
         `error` is the error allowed in an integration step, reduced if necessary to resolve the two sides.
@@ -190,7 +190,7 @@ class ThresholdSearch:
             value * (1.0 - SAME_THRESHOLD_RTOL), error
         ) is (not above)
 
-    def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
+    def rough_change(self, *, above: bool, error: float = DEFAULT_STEP_RTOL) -> float | None:
         """Return the only threshold on a coarse grid, if the outcome above it is as `above` says; else None.
 
         `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
@@ -253,7 +253,7 @@ class ThresholdSearch:
         """Return the threshold within a factor of a number, if the outcome differs at the ends; else None."""
         smallest, *_, most = range_of(self._scene, self._path)
         low, high = max(smallest, about / times), min(most, about * times)
-        return self.find_change_between(low, high, WRONG, COARSE_STEP_ERROR)
+        return self.find_change_between(low, high, WRONG_THRESHOLD_RTOL, COARSE_STEP_ERROR)
 
     def find_change_near(self, about: float) -> float | None:
         """Return the threshold nearest to a number, searched at growing distances; None if there is none."""
@@ -268,7 +268,7 @@ class ThresholdSearch:
         return None
 
     def find_change_between(
-        self, low: float, high: float, exact: float = THRESHOLD_RTOL, error: float = FINEST
+        self, low: float, high: float, exact: float = THRESHOLD_RTOL, error: float = DEFAULT_STEP_RTOL
     ) -> float | None:
         """Return the threshold between two numbers; None if the outcome does not differ or a motion fails.
 
@@ -309,7 +309,7 @@ class ThresholdSearch:
         if near is None or other is None or excess_by_value[near] == excess_by_value[other]:
             return None
         change = near - excess_by_value[near] * (other - near) / (excess_by_value[other] - excess_by_value[near])
-        aside = max(0.4 * exact * abs(high), BENT * abs((near - change) * (other - change) / (change or 1.0)))
+        aside = max(0.4 * exact * abs(high), SECANT_MARGIN * abs((near - change) * (other - change) / (change or 1.0)))
         far, ahead = (high, 1.0) if near == low else (low, -1.0)
         candidate = change + ahead * (aside if abs(far - change) > 2.0 * aside else -aside)
         return candidate if low < candidate < high else None

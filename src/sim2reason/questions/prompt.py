@@ -127,7 +127,7 @@ def unit_in_words(unit: str) -> str:
 
 
 SAMPLES = 101
-SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon: durations to try
+HORIZON_FRACTIONS = 1.0, 0.3, 0.1, 0.03  # of the horizon: durations to try
 
 _UNIT = r"(\S{1,12})"
 _SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
@@ -332,7 +332,7 @@ def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
 def _begun(reading: ParsedScene) -> FollowedMotion:
     """Return a first motion of a scene, with an unknown number at its drawn value."""
     scene = reading.scene
-    for share in SHARES if reading.unknown else ():
+    for share in HORIZON_FRACTIONS if reading.unknown else ():
         with suppress(SimulationError):
             return FollowedMotion(SimulatedScene.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
     return simulate_scene(scene)

@@ -209,7 +209,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     return next((time for time in islice(crossings(trace, excess), MAX_CANDIDATES) if alike(trace.at(time))), None)
 
 
-EVENTLESS = 1e3  # times the time of the last event: uniform motion up to then remains eventless
+EVENTLESS_FACTOR = 1e3  # times the time of the last event: uniform motion up to then remains eventless
 POSITION_QUANTITIES = (
     "displacement",
     "extension",
@@ -217,7 +217,7 @@ POSITION_QUANTITIES = (
     "deflection",
     "angle turned",
 )  # quantities of position
-BOTH = 2  # reversals of a motion, one on each side
+MIN_REVERSALS = 2  # reversals of a motion, one on each side
 FULL_TURN_RTOL = 1e-3  # of the greatest displacement: a returned coordinate has made no full turn
 
 
@@ -241,7 +241,7 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
         "it has turned back on both sides, and has no energy to come any farther": reverses_before(moment, trace),
         "what it is about flies off for ever": subjects_escape(moment, trace),
         f"it has not by {until}, and from {last} on no acceleration changes any more": not changing(trace.mechanism)
-        and trace.stable_until > EVENTLESS * max(_last_change(trace), _own(trace)),
+        and trace.stable_until > EVENTLESS_FACTOR * max(_last_change(trace), _own(trace)),
     }
     return next((f"it never happens: {reason}" for reason, holds in reasons.items() if holds), "")
 
@@ -259,7 +259,7 @@ def reverses_before(moment: Moment | None, trace: Trace) -> bool:
     if not placed or len(mechanism.coordinates) != 1 or not is_autonomous(mechanism) or mechanism.meetings:
         return False
     turns = [event for event in trace.events if event.kind == "turn" and event.time <= trace.stable_until]
-    return len(turns) >= BOTH and all(event.kind == "turn" for event in trace.events)
+    return len(turns) >= MIN_REVERSALS and all(event.kind == "turn" for event in trace.events)
 
 
 def subjects_escape(moment: Moment | None, trace: Trace) -> bool:

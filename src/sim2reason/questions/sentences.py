@@ -118,7 +118,7 @@ def parse_question(
     return None
 
 
-STRIDE = 6  # stride through the range of an unknown number
+RANGE_STRIDE = 6  # stride through the range of an unknown number
 AXES = "x", "y", "z"
 STRAIN = ".strain.by"  # final part of the address of a spring's initial strain
 SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # altered strains: a factor, and values in m for a relaxed spring
@@ -160,7 +160,7 @@ def _others(question: Question, study: SimulatedScene) -> Iterator[SimulatedScen
     """Yield motions with other values of the unknown number, for the usual duration of the question."""
     time = KINDS[question.query.kind].time(question.query, study)
     until = time * TIME_MARGIN if time is not None else None
-    values = range_of(study.scene, question.unknown)[::STRIDE] if question.unknown else ()
+    values = range_of(study.scene, question.unknown)[::RANGE_STRIDE] if question.unknown else ()
     yield from filter(None, (study.with_values({question.unknown: value}, until) for value in values))
 
 

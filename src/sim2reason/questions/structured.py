@@ -77,7 +77,7 @@ REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|
 """A change that removes something at some moment of the motion: a string that is cut, a field that is switched off."""
 CHANGE = re.compile(r"(?P<number>.+?)(?:\s*(?P<sign>[=×*])\s*|\s+[xX]\s*(?=[\d.]))(?P<value>.+)")
 """A change of a number: another value, or a factor after ×, * or the letter x."""
-LONGEST = 200  # characters of a part
+MAX_PART_LENGTH = 200  # characters of a part
 _NUMBER = re.compile(
     rf"([+-]?(?:{DIGITS_PATTERN}\.?(?:{DIGITS_PATTERN})?|\.{DIGITS_PATTERN})(?:[eE][+-]?\d{{1,3}})?)\s*(.*)"
 )
@@ -119,7 +119,7 @@ class StructuredQuestion:
         for name, value in parts.items():
             if name not in known:
                 raise TextError(f"question.{name}", "there is no such key", _suggestion(name, known))
-            if not isinstance(value, str | int | float) or isinstance(value, bool) or len(str(value)) > LONGEST:
+            if not isinstance(value, str | int | float) or isinstance(value, bool) or len(str(value)) > MAX_PART_LENGTH:
                 raise TextError(f"question.{name}", "it is no short text", "give words, such as: moved 0.5 m")
         if not parts.get("find"):
             raise TextError("question", "it does not say what to find", "give find, such as: velocity")

@@ -11,9 +11,9 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, FINEST, Trace
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 
-SHORTEST = 1e-2  # of a motion: least duration of its variants
+MIN_VARIANT_FRACTION = 1e-2  # of a motion: least duration of its variants
 EXACT_STEP_ERROR = 1e-8  # relative: error of integration steps if answers are compared for equality
 COARSE_STEP_ERROR = 1e-6  # relative: error of integration steps if only clear differences of answers matter
 TIME_MARGIN = 1.1  # factor on the time of the moment: duration of variants and of the second engine's motion
@@ -90,7 +90,7 @@ class SimulatedScene(Memo):
         scene = self._having(values)
         if scene is None:
             return None
-        change, error = self.change, self.trace.tolerance or FINEST
+        change, error = self.change, self.trace.tolerance or DEFAULT_STEP_RTOL
 
         def make() -> VariantParts:
             return scene, scene.mechanism if change is None else change(scene.mechanism), change
@@ -120,7 +120,7 @@ class SimulatedScene(Memo):
         error: float = COARSE_STEP_ERROR,
     ) -> "SimulatedScene | None":
         end = float(self.trace.state.times[-1])
-        until = end if until is None else min(max(until, SHORTEST * end), end)
+        until = end if until is None else min(max(until, MIN_VARIANT_FRACTION * end), end)
         known, reaches = self._variants.get(key, (None, -1.0))
         if reaches < until or (known is None and reaches > until):
             reaches = until if reaches < 0.0 or reaches > until else end  # who asks again will ask once more
@@ -149,7 +149,7 @@ def _made(made: VariantParts, until: float, error: float) -> SimulatedScene | No
     return SimulatedScene(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)
 
 
-TURNING = 1e-6  # of the mean speed: a slower coordinate is reversing
+REVERSAL_SPEED_RTOL = 1e-6  # of the mean speed: a slower coordinate is reversing
 CHANGE_RTOL = 1e-9  # of the largest change: smaller changes are zero
 
 
@@ -161,5 +161,5 @@ def change_directions(study: SimulatedScene, time: float) -> tuple[float, ...]:
     start, end = study.trace.at(0.0), study.trace.at(time)
     changes = end.q[0] - start.q[0] if time else start.a[0]
     largest = np.abs(changes).max()
-    turns = np.abs(end.v[0]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
+    turns = np.abs(end.v[0]) * time <= REVERSAL_SPEED_RTOL * largest if time else np.zeros(len(changes), dtype=bool)
     return (*np.sign(np.where(np.abs(changes) > CHANGE_RTOL * largest, changes, 0.0)).tolist(), *turns.tolist())

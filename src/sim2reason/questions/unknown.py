@@ -72,7 +72,7 @@ def with_number(scene: Scene, path: str, value: float) -> Scene:
 
 
 RANGE_FACTOR = 10.0  # factor on the range of drawn values, at either end
-POINTS = 64
+RANGE_POINTS = 64
 FAR, STEPS = 100.0, 16  # factor on a value, either way, and number of equal logarithmic steps
 FAR_FACTORS = 300.0, 1000.0  # further factors on a value
 MAX_SEARCH_FACTOR = 1e4  # factor on a range: bounds of the extended search
@@ -175,7 +175,7 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     """
     if (derived := derived_numbers(scene).get(path)) is not None:
         size = derived.value(scene)
-        return tuple(np.geomspace(size / RANGE_FACTOR, size * RANGE_FACTOR, POINTS).tolist()) if size else ()
+        return tuple(np.geomspace(size / RANGE_FACTOR, size * RANGE_FACTOR, RANGE_POINTS).tolist()) if size else ()
     field_type, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
     assert field_type.drawn is not None
     low, high = field_type.drawn.low, field_type.drawn.high
@@ -184,7 +184,7 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
         return tuple(_with_both_signs(max(-low, high), most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
     begin = max((low if unit == "deg" else max(low, high * MIN_RANGE_FRACTION)) / RANGE_FACTOR, smallest)
-    usual = spaced(begin, min(high * RANGE_FACTOR, most), POINTS)
+    usual = spaced(begin, min(high * RANGE_FACTOR, most), RANGE_POINTS)
     return (*usual.tolist(), *_onwards(usual, min(about * RANGE_FACTOR, most)))
 
 
@@ -214,7 +214,7 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
     limits = find_limits(scene, path)
     smallest, most = max(values[0] / MAX_SEARCH_FACTOR, limits[0]), min(values[-1] * MAX_SEARCH_FACTOR, limits[1])
     ends = ((smallest, values[0]), (values[-1], most))
-    return tuple(tuple(np.geomspace(low, high, POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
+    return tuple(tuple(np.geomspace(low, high, RANGE_POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
@@ -255,7 +255,7 @@ def is_usual(scene: Scene, path: str, value: float) -> bool:
 
 
 def _with_both_signs(size: float, most: float, about: float) -> Array:
-    half = np.geomspace(size * MIN_RANGE_FRACTION, min(size * RANGE_FACTOR, most), POINTS // 2)
+    half = np.geomspace(size * MIN_RANGE_FRACTION, min(size * RANGE_FACTOR, most), RANGE_POINTS // 2)
     half = np.append(half, _onwards(half, min(about * RANGE_FACTOR, most)))
     return np.concatenate([-half[::-1], [0.0], half])
 

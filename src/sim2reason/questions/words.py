@@ -80,7 +80,7 @@ class OwnSymbol:
 
 
 DIGITS_PATTERN = r"\d{1,20}"  # digits of a number before or after its point: as many as a float in full can need
-ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of round numbers
+ROUND_DIGITS = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of round numbers
 EQUAL_NUMBER_RTOL = 1e-13  # relative: numbers that differ by less are equal
 METRE, LONG, KILO = "m", 1e4, 1e3  # the SI unit of length, and the length from which numbers are in kilometres
 QUESTION_SYMBOLS = {
@@ -166,7 +166,9 @@ def round_number(value: float, smallest: float, most: float) -> float:
     Where none does, the number is returned with two significant digits.
     """
     tens = floor(log10(value))
-    candidates = [float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND]
+    candidates = [
+        float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND_DIGITS
+    ]
     fitting = [number for number in candidates if smallest <= number <= most]
     return min(fitting, key=lambda number: abs(log10(number / value)), default=rounded_as_written(value))
 

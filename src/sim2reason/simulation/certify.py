@@ -21,8 +21,8 @@ from sim2reason.simulation.trace import ENDINGS, ENGINES, Channel, Event, Trace,
 
 Flags = NDArray[np.bool_]
 
-SMOOTH = 1e-4  # relative tolerance of a motion without events that change the forces
-EVENTFUL = 1e-3  # relative tolerance of a motion with such events
+SMOOTH_RTOL = 1e-4  # relative tolerance of a motion without events that change the forces
+EVENTFUL_RTOL = 1e-3  # relative tolerance of a motion with such events
 EVENT_TIME_RTOL = 1e-4  # events are simultaneous if their times differ by less than this fraction of the duration
 CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})  # events that permit the tolerance EVENTFUL
 RECORDED, WITNESS = "exact", "mujoco"
@@ -158,7 +158,7 @@ def certify_trace(recorded: Trace) -> tuple[Trace, Certificate]:
     try:
         witness = ENGINES[WITNESS](recorded.mechanism, recorded.state.times)
     except (SimulationError, UnsupportedError) as error:
-        certificate = Certificate((RECORDED, WITNESS), SMOOTH, 0.0, f"no witness: {error}")
+        certificate = Certificate((RECORDED, WITNESS), SMOOTH_RTOL, 0.0, f"no witness: {error}")
     else:
         certificate = compare(recorded, witness)
     return truncated(recorded, certificate), certificate
@@ -185,7 +185,7 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
     if parted is not None and parted.time >= float(times[-1]) - near:  # one engine may see it just after the end
         blind += ((parted.time - near, parted.time + near),)
     compared = (times <= end) & ~_inside(times, blind)
-    table = _Table(recorded.state, witness.state, times <= end, compared, EVENTFUL if changes else SMOOTH)
+    table = _Table(recorded.state, witness.state, times <= end, compared, EVENTFUL_RTOL if changes else SMOOTH_RTOL)
     stable, worst = table.first_over()
     if worst is not None and stable < end:
         end, reason = stable, f"the engines disagree on the {worst.quantity} of {worst.subject}"

@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Dynamics, State
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.loads import (
-    EXACT,
+    EQUILIBRIUM_TOL,
     ZERO_FORCE_TOL,
     Loads,
     RestingLoads,
@@ -95,14 +95,14 @@ class Balance:
         return State.of(mechanism, np.zeros(1), (self.places[None, :], still), dynamics)
 
 
-STEPS = 40  # largest number of steps of the search
+MAX_STEPS = 40  # largest number of steps of the search
 FORCE_DECAY_STEPS = 6  # steps after which a force without restoring stiffness must have vanished
 ZERO_STIFFNESS_RTOL = 1e-6  # fraction of the largest stiffness: a smaller one counts as zero
 MAX_STEP = 0.5  # largest step: rad, or as a fraction of the longest line
-STARTS = 32  # starting points of the search for other equilibria; few miss a basin of a tenth of the range
+START_COUNT = 32  # starting points of the search for other equilibria; few miss a basin of a tenth of the range
 COLLISION_FREE_RANGE = 0.2  # rad, and fraction of the shortest line: a motion within that avoids collisions
 EQUILIBRIUM_DISTANCE_TOL = 1e-5  # m or rad, of the largest stiffness: equilibria closer than that are equal
-KEPT = 8  # number of cached results
+CACHE_SIZE = 8  # number of cached results
 
 
 @dataclass(frozen=True)
@@ -131,7 +131,7 @@ class Equilibrium:
         return self.state.q[0]
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def equilibrium(mechanism: Mechanism) -> Equilibrium | None:
     """Return the stable equilibrium nearest to the initial state; None if there is none or it is not isolated.
 
@@ -146,7 +146,7 @@ def equilibrium(mechanism: Mechanism) -> Equilibrium | None:
         return None
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def unique_equilibrium(mechanism: Mechanism) -> Equilibrium | None:
     """Return the only stable equilibrium; None if a search from other positions finds a different one."""
     rest = equilibrium(mechanism)
@@ -202,7 +202,7 @@ def _spread(size: int) -> Vector:
     for _ in range(30):
         root = (1.0 + root) ** (1.0 / (1 + size))
     steps = root ** -np.arange(1.0, size + 1.0)
-    return 2.0 * np.remainder(0.5 + np.outer(np.arange(1, STARTS + 1), steps), 1.0) - 1.0
+    return 2.0 * np.remainder(0.5 + np.outer(np.arange(1, START_COUNT + 1), steps), 1.0) - 1.0
 
 
 class _Descent:
@@ -255,7 +255,7 @@ class _Descent:
         """Return the coordinates and the forces of all rows at equilibrium; None if the search does not converge."""
         driven = 0
         most = MAX_STEP * np.where(self.loads.hinges, 1.0, self.longest)
-        for _ in range(STEPS):
+        for _ in range(MAX_STEPS):
             loads = self.loads.at(places)
             free = null_space(loads.along[active], self.size)
             forces = self.loads.forces(loads, active)
@@ -282,7 +282,7 @@ class _Descent:
     def _balanced(self, loads: Loads, down: Vector, active: list[int]) -> bool:
         """Return whether no force remains along the allowed motions, and all active constraints are satisfied."""
         lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
-        return max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT
+        return max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EQUILIBRIUM_TOL
 
     def _is_rest(self, places: Vector, active: list[int]) -> bool:
         loads = self.loads.at(places)

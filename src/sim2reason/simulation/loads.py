@@ -14,10 +14,10 @@ from sim2reason.simulation.engines.exact.tape import Tape
 
 Vector = NDArray[np.float64]
 
-EXACT = 1e-10  # fraction of the largest force, or m: accuracy of an equilibrium
+EQUILIBRIUM_TOL = 1e-10  # fraction of the largest force, or m: accuracy of an equilibrium
 ZERO_FORCE_TOL = 1e-6  # fraction of the largest force, or m: smaller values count as zero
-SLIGHT = 1e-3  # strain of the stiffest spring that sets the scale of forces
-DIFFERENCE = 6e-6  # m or rad, for central differences
+REFERENCE_STRAIN = 1e-3  # strain of the stiffest spring that sets the scale of forces
+DIFFERENCE_STEP = 6e-6  # m or rad, for central differences
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +76,7 @@ class RestingLoads:
     def largest(self, places: Vector) -> float:
         """Return the scale of forces: the largest load, or that of a small strain of the stiffest spring, N or N m."""
         springs = (
-            SLIGHT * line.law.stiffness * (self.system.starts[line.name] or 1.0)
+            REFERENCE_STRAIN * line.law.stiffness * (self.system.starts[line.name] or 1.0)
             for line in self.mechanism.lines
             if isinstance(line.law, Elastic)
         )
@@ -96,8 +96,8 @@ class RestingLoads:
             loads = self.at(q)
             return loads.force - forces[active] @ loads.along[active] if active else loads.force
 
-        columns = [load(places - step) - load(places + step) for step in DIFFERENCE * np.eye(self.size)]
-        matrix: Vector = np.array(columns).T / (2.0 * DIFFERENCE)
+        columns = [load(places - step) - load(places + step) for step in DIFFERENCE_STEP * np.eye(self.size)]
+        matrix: Vector = np.array(columns).T / (2.0 * DIFFERENCE_STEP)
         return matrix
 
     def tightening(self, loads: Loads, active: list[int]) -> Vector:
@@ -113,7 +113,10 @@ class RestingLoads:
         for point in points:
             half, full = self.at(0.5 * point), self.at(point)
             bend = float(np.abs(first.force - 2.0 * half.force + full.force).max(initial=0.0))
-            if bend > EXACT * scale or float(np.abs(full.along - first.along).max(initial=0.0)) > EXACT:
+            if (
+                bend > EQUILIBRIUM_TOL * scale
+                or float(np.abs(full.along - first.along).max(initial=0.0)) > EQUILIBRIUM_TOL
+            ):
                 return False
         return True
 

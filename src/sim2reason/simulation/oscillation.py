@@ -11,14 +11,14 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.state import State, displace
-from sim2reason.simulation.certify import SMOOTH, WITNESS
+from sim2reason.simulation.certify import SMOOTH_RTOL, WITNESS
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
 from sim2reason.simulation.equilibrium import Equilibrium, equilibrium, neighbour
 from sim2reason.simulation.loads import Vector
 from sim2reason.simulation.trace import ENGINES
 
-MASSLESS = 1e-9  # fraction of the largest inertia: a smaller one counts as massless
+MASSLESS_RTOL = 1e-9  # fraction of the largest inertia: a smaller one counts as massless
 ZERO_FREQUENCY_RTOL = 1e-6  # fraction of the largest ω²: a smaller one counts as zero
 
 
@@ -37,7 +37,7 @@ def oscillations(rest: Equilibrium) -> Oscillations | None:
         return None
     mass = rest.allowed.T @ inertia(rest) @ rest.allowed
     sizes, axes = np.linalg.eigh(mass)
-    heavy = sizes > MASSLESS * float(sizes.max(initial=0.0))
+    heavy = sizes > MASSLESS_RTOL * float(sizes.max(initial=0.0))
     stiffness = axes.T @ rest.stiffness @ axes
     follow = _following(stiffness, heavy)
     if follow is None or not heavy.any():
@@ -125,10 +125,10 @@ def _same(mine: Vector, its: Vector) -> bool:
 
 
 AMPLITUDE = 1e-3  # amplitude: rad, or fraction of the shortest straight line segment
-SAMPLES = 5  # in half a period
-SHAPE = 1e-2  # fraction of the amplitude: largest deviation of a small oscillation from a sine
-PHASE = 1e-3  # fraction of a period: largest phase error
-INSTANT = 1e-3  # s: duration of the simulation of a state at rest
+SAMPLES_PER_HALF_PERIOD = 5  # in half a period
+MAX_SHAPE_DEVIATION = 1e-2  # fraction of the amplitude: largest deviation of a small oscillation from a sine
+MAX_PHASE_ERROR = 1e-3  # fraction of a period: largest phase error
+REST_DURATION = 1e-3  # s: duration of the simulation of a state at rest
 
 
 def equilibrium_disagreement(rest: Equilibrium) -> str:
@@ -136,14 +136,14 @@ def equilibrium_disagreement(rest: Equilibrium) -> str:
     mechanism, still = rest.mechanism, [0.0] * len(rest.mechanism.coordinates)
     try:
         there = displace(mechanism, rest.coordinates.tolist(), still)
-        seen = ENGINES[WITNESS](there, np.array([0.0, INSTANT])).state
+        seen = ENGINES[WITNESS](there, np.array([0.0, REST_DURATION])).state
     except (SceneError, SimulationError, UnsupportedError) as error:
         return f"no witness: {error}"
-    if float(np.abs(inertia(rest) @ seen.a[0]).max(initial=0.0)) > SMOOTH * _load(rest.state):
+    if float(np.abs(inertia(rest) @ seen.a[0]).max(initial=0.0)) > SMOOTH_RTOL * _load(rest.state):
         return "in the other engine the equilibrium is none"
     for name in ("tension", "normal", "friction"):
         ours, theirs = getattr(rest.state, name), getattr(seen, name)
-        if any(abs(float(theirs[key][0] - value[0])) > SMOOTH * _load(rest.state) for key, value in ours.items()):
+        if any(abs(float(theirs[key][0] - value[0])) > SMOOTH_RTOL * _load(rest.state) for key, value in ours.items()):
             return f"the engines disagree on a {name} at rest"
     return ""
 
@@ -164,7 +164,7 @@ def mode_disagreement(rest: Equilibrium, modes: Oscillations, number: int) -> st
     hinges = np.array([coordinate.kind == "hinge" for coordinate in mechanism.coordinates])
     shift = AMPLITUDE * shape / float((np.abs(shape) / np.where(hinges, 1.0, shortest)).max())
     begun = neighbour(rest, shift)
-    times = np.linspace(0.0, np.pi / frequency, SAMPLES)
+    times = np.linspace(0.0, np.pi / frequency, SAMPLES_PER_HALF_PERIOD)
     try:
         trace = ENGINES[WITNESS](displace(mechanism, begun.tolist(), [0.0] * len(begun)), times)
     except (SceneError, SimulationError, UnsupportedError) as error:
@@ -176,4 +176,8 @@ def mode_disagreement(rest: Equilibrium, modes: Oscillations, number: int) -> st
     size = float(shift @ mass @ shift)
     deviation = np.abs(places @ mass @ shift / size - np.cos(frequency * times)).max()
     late = float(np.abs(trace.state.v[-1] @ mass @ shift)) / (size * frequency) / (2.0 * np.pi)
-    return "" if deviation <= SHAPE and late <= PHASE else "in the other engine it oscillates otherwise"
+    return (
+        ""
+        if deviation <= MAX_SHAPE_DEVIATION and late <= MAX_PHASE_ERROR
+        else "in the other engine it oscillates otherwise"
+    )

@@ -32,13 +32,13 @@ from sim2reason.simulation.trace import ENGINES, Trace, ending
 
 Flags = NDArray[np.bool_]
 
-WINDOW = 50  # samples; with w samples no |aᵢ − µ| exceeds √w·σ, so under 26 none reaches 5σ
-DEVIATIONS = 5.0
-BENDS = 8.0  # times the local median of the third difference
-FLOOR = 1e-6  # fraction of a column's largest value, or of 1: smaller values are round-off
+WINDOW_SAMPLES = 50  # samples; with w samples no |aᵢ − µ| exceeds √w·σ, so under 26 none reaches 5σ
+MAX_DEVIATIONS = 5.0
+BEND_FACTOR = 8.0  # times the local median of the third difference
+COLUMN_FLOOR = 1e-6  # fraction of a column's largest value, or of 1: smaller values are round-off
 PIECES, ZOOMS = 32, 2  # pieces of an interval, and how often three of them are subdivided again
-STRAIGHT = 1.0 / 33.0  # in three of 32 pieces a parabola's bend shrinks to 1/114, a corner's to 1/11
-ROUNDING = 1e-9  # fraction of the largest value there: a smaller bend is round-off
+STRAIGHTENING_FACTOR = 1.0 / 33.0  # in three of 32 pieces a parabola's bend shrinks to 1/114, a corner's to 1/11
+BEND_ROUNDING = 1e-9  # fraction of the largest value there: a smaller bend is round-off
 
 
 class Alarm(NamedTuple):
@@ -62,7 +62,7 @@ class Column(NamedTuple):
         return np.diff(read) / np.diff(state.times[chosen]) if self.change else read
 
 
-def truncate_trace(trace: Trace, window: int = WINDOW) -> Trace:
+def truncate_trace(trace: Trace, window: int = WINDOW_SAMPLES) -> Trace:
     """Return the trace, truncated at the first sample of a force or acceleration that deviates 5σ from its mean.
 
     The rule of the paper: over a window, max |aᵢ − µ| ≥ 5σ. It is applied to every acceleration and force in
@@ -82,7 +82,7 @@ def truncate_trace(trace: Trace, window: int = WINDOW) -> Trace:
     return replace(trace, stable_until=until, cut="statistics")
 
 
-def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
+def alarms(trace: Trace, window: int = WINDOW_SAMPLES) -> tuple[Alarm, ...]:
     """Return the jumps that the 5σ or the third-difference rule finds between the events of a trace, in order."""
     jumps: list[Alarm] = []
     times = trace.state.times
@@ -163,26 +163,26 @@ def _smooth(trace: Trace, column: Column, low: float, high: float) -> bool:
         bend = np.abs(np.diff(values, 2))
         most = int(bend.argmax())
         bends.append(float(bend[most]))
-        if not bends[-1] > ROUNDING * max(1.0, float(np.abs(values).max())):
+        if not bends[-1] > BEND_ROUNDING * max(1.0, float(np.abs(values).max())):
             return True
         middle, piece = float(times[most + 1]), (high - low) / PIECES
         low, high = max(low, middle - 1.5 * piece), min(high, middle + 1.5 * piece)
-    return bends[-1] <= STRAIGHT * bends[-2]
+    return bends[-1] <= STRAIGHTENING_FACTOR * bends[-2]
 
 
 def _floor(values: Array) -> float:
-    return FLOOR * max(1.0, float(np.abs(values).max(initial=0.0)))
+    return COLUMN_FLOOR * max(1.0, float(np.abs(values).max(initial=0.0)))
 
 
 def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
     """Return the 5σ outliers of all windows, earliest window first, each as an interval of one sample."""
-    if window < WINDOW:
-        raise ValueError(f"a window of {window} samples is too short; take at least {WINDOW}")
+    if window < WINDOW_SAMPLES:
+        raise ValueError(f"a window of {window} samples is too short; take at least {WINDOW_SAMPLES}")
     if len(values) < window or not np.isfinite(values).all():
         return []
     windows = sliding_window_view(values, window)
     deviations = np.abs(windows - windows.mean(axis=1, keepdims=True))
-    out: Flags = deviations >= np.maximum(DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
+    out: Flags = deviations >= np.maximum(MAX_DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
     first, within = np.nonzero(out)
     return [(number, number) for number in dict.fromkeys((first + within).tolist())]
 
@@ -195,16 +195,18 @@ def _bends(values: Array, window: int) -> list[tuple[int, int]]:
     width = min(window, len(third))
     medians = np.median(sliding_window_view(third, width), axis=1)
     nearby = medians[np.clip(np.arange(len(third)) - width // 2, 0, len(medians) - 1)]
-    out: Flags = third > np.maximum(BENDS * nearby, _floor(values))
+    out: Flags = third > np.maximum(BEND_FACTOR * nearby, _floor(values))
     return [(number, number + 3) for number in np.flatnonzero(out).tolist()]
 
 
-SAMPLES = 101
+DEFAULT_SAMPLES = 101
 BOTH = "both"
 """Engine name for the trace of the exact engine, checked by the other."""
 
 
-def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
+def certify(
+    scene: SceneLike, duration: float | None = None, samples: int = DEFAULT_SAMPLES
+) -> tuple[Trace, Certificate]:
     """Simulate a scene with both engines and compare the two motions.
 
     Args:
@@ -236,7 +238,7 @@ def simulate(
     scene: SceneLike,
     duration: float | None = None,
     engine: str = RECORDED,
-    samples: int = SAMPLES,
+    samples: int = DEFAULT_SAMPLES,
     *,
     truncate: bool = False,
 ) -> Trace:
@@ -280,7 +282,7 @@ def simulate(
 
 
 def simulate_full_duration(
-    scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES
+    scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = DEFAULT_SAMPLES
 ) -> Trace:
     """Simulate a scene for the whole duration, as plots need; states after `stable_until` are invalid."""
     if engine == BOTH:

@@ -240,13 +240,13 @@ def _unsampled() -> State:
     raise ValueError("this trace was read from a file: it holds only its samples")
 
 
-FINEST = 1e-11  # relative step tolerance of an integrator, unless the caller chooses a larger one
+DEFAULT_STEP_RTOL = 1e-11  # relative step tolerance of an integrator, unless the caller chooses a larger one
 
 
 class Engine(Protocol):
     """A function that simulates a mechanism."""
 
-    def __call__(self, mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+    def __call__(self, mechanism: Mechanism, times: Array, tolerance: float = DEFAULT_STEP_RTOL) -> Trace:
         """Return the motion at `times` (m,), strictly increasing from 0, in seconds.
 
         `tolerance` is the relative tolerance of a step; an engine without this choice ignores it.

@@ -16,7 +16,7 @@ from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.solution import Relation, Solution
 
-SQUARE = 2
+SQUARE_EXPONENT = 2
 POINTS_PER_PHASE = 2  # points of the score for each phase after the first: its start and its laws have to be found
 MAX_COUNTED_PHASES = 4  # largest number of phases that the score counts; later ones mostly repeat earlier ones
 _SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
@@ -141,7 +141,7 @@ def _unknowns_of_laws(solution: Solution) -> Iterator[set[str]]:
 def is_vector(expression: Expression) -> bool:
     """Return whether a formula is the magnitude of a vector: the root of a sum of squares."""
     squares = isinstance(expression, Root) and isinstance(expression.inside, Sum) and expression.inside.terms
-    return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
+    return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE_EXPONENT for term in squares)
 
 
 def _is_bookkeeping(relation: Relation) -> bool:

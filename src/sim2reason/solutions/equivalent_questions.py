@@ -33,7 +33,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder
 
 VALUE_RTOL = 1e-9  # relative: how well an extreme value is that at an end
 SAMPLES = 2000  # instants of a stretch at which a function is looked at
-LEAST_CHANGE = 1e-9  # of the greatest value: a function that changes by less is constant
+MIN_CHANGE_RTOL = 1e-9  # of the greatest value: a function that changes by less is constant
 SPEEDS = frozenset({"velocity", "kinetic energy"})
 CHANGES: Mapping[str, tuple[str, str]] = {
     "displacement": ("{who} moves away from its starting point", "{who} approaches its starting point"),
@@ -106,7 +106,7 @@ def reason(setting: ProblemContext) -> str:
     times = np.linspace(0.0, _until(setting), SAMPLES + 1)
     state = trace.sample(times)
     values = functional.height(state, query.name)
-    little = LEAST_CHANGE * float(np.abs(values).max())
+    little = MIN_CHANGE_RTOL * float(np.abs(values).max())
     quantity = functional.quantity.name if functional.sense is None else query.functional.removeprefix("greatest ")
     if float(np.ptp(values)) <= little:
         who = setting.display_name(query.name)
@@ -123,7 +123,7 @@ def reason(setting: ProblemContext) -> str:
     if quantity not in SPEEDS or functional.sign < 0.0:
         return _of_rate(setting, quantity, grows=(functional.sign > 0.0) is last, last=last) if monotonic else ""
     heights = state.frames.center(query.name).place[2] + 0.0 * times
-    lowest = float(heights[-1 if last else 0]) <= float(heights.min()) + LEAST_CHANGE * float(np.abs(heights).max())
+    lowest = float(heights[-1 if last else 0]) <= float(heights.min()) + MIN_CHANGE_RTOL * float(np.abs(heights).max())
     return _of_speed(setting, _Course(last, monotonic, lowest, from_rest=float(towards[0]) <= little))
 
 
@@ -265,7 +265,7 @@ def write_reason(setting: ProblemContext, book: SolutionBuilder, goal: str) -> N
     step.close()
 
 
-SAME_TIME = 1e-9  # relative: two moments that are closer are one
+COINCIDENT_TIME_RTOL = 1e-9  # relative: two moments that are closer are one
 UNITS: Mapping[str, str] = {"s": SECONDS, "m": METRES, "deg": DEGREES}
 THRESHOLDS: Mapping[str, tuple[type[Threshold], ...]] = {
     "displacement": (Moved, Away),
@@ -298,7 +298,7 @@ def _thresholds(setting: ProblemContext, target: Target, value: float) -> Iterat
         if target.subject in cls.candidates(setting.words):
             moment = cls(target.subject, value)
             time = setting.study.time(moment)
-            if time is not None and isclose(time, setting.time, rel_tol=SAME_TIME):
+            if time is not None and isclose(time, setting.time, rel_tol=COINCIDENT_TIME_RTOL):
                 yield moment
 
 

@@ -44,7 +44,7 @@ from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.writing.arrangement import SOLVE_KIND
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
-PAIR = 2  # number of terms of an equation whose root can be read off
+SHORT_EQUATION_TERMS = 2  # number of terms of an equation whose root can be read off
 MAX_FORMULA_LENGTH = 300  # maximum length of the LaTeX of a formula that is written out
 MAX_SUBSTITUTIONS = 40  # maximum number of substitutions of one formula into another
 
@@ -234,7 +234,7 @@ class Inversion:
             step.rest_on(self.goal)
         if closed:
             sides = fraction_in(chain, Symbol(at), self.unknown, book.values)
-            same = f", or ${closed.equation.latex()} = 0$" if len(closed.equation.parts) > PAIR else ""
+            same = f", or ${closed.equation.latex()} = 0$" if len(closed.equation.parts) > SHORT_EQUATION_TERMS else ""
             how = f"{step.derived(*sides)}{same}, so"
             lead = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
         else:

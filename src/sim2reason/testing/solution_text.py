@@ -23,9 +23,9 @@ ANSWER = re.compile(
     rf"\\boxed\{{(?P<boxed>{BRACED})\}}(?P<unit>[^$]*)\$"
 )
 BOX = r"\boxed{"
-BOXED = 6e-3  # relative rounding error of three digits
+BOXED_RTOL = 6e-3  # relative rounding error of three digits
 ROUNDED_RTOL = 6e-5  # relative rounding error of five digits, at most
-STEP = 1e-6  # relative, of a derivative
+DERIVATIVE_RSTEP = 1e-6  # relative, of a derivative
 PROBLEM = re.compile(
     r"(?:Let (?=\$[^$]*\$ be )|Along with them"
     r"|(?:The equations? of motion(?: of mode \d)? (?:is|are)|Initially|The phase begins with) (?=\$))"
@@ -59,8 +59,8 @@ class Equality:
         """Return by how much left minus right side may differ from zero if all numbers are rounded."""
         sizes = [self.sizes(values)]
         for name in self.symbols:
-            moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
-            sizes.append(abs(moved - excess) / STEP if moved is not None else 0.0)
+            moved = self.excess({**values, name: values[name] * (1.0 + DERIVATIVE_RSTEP)})
+            sizes.append(abs(moved - excess) / DERIVATIVE_RSTEP if moved is not None else 0.0)
         return sum(sizes)
 
     def holds(self, values: Mapping[str, float]) -> bool:
@@ -133,7 +133,7 @@ def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
     """
     boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
     sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
-    close = BOXED if match["sign"] != "=" else ROUNDED_RTOL
+    close = BOXED_RTOL if match["sign"] != "=" else ROUNDED_RTOL
     for one, other in pairwise(sides):
         both, names = (one[0], other[0]), one[2] | other[2]
         if other is sides[-1] and match["number"] is not None:

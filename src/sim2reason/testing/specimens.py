@@ -205,7 +205,7 @@ def specimen(cls: type[Entity], seed: int) -> Specimen:
 
 
 ANSWER_RTOL = 1e-6  # relative to the largest value of the quantity
-MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # fractions of the common motion
+MOMENT_FRACTIONS = (0.0, 0.19, 0.46, 0.73, 0.97)  # fractions of the common motion
 SOON, LATE = 1e-6, 1.0 - 1e-4  # fractions of the common motion between which events are counted
 
 
@@ -241,7 +241,9 @@ def differences(
     """
     stretch = factor(Dimension(time=1))
     end = min(specimen.end, min(other.trace.stable_until, float(other.trace.state.times[-1])) / stretch)
-    times = [t for t in (part * end for part in MOMENTS) if t == 0.0 or is_clear_of_events(t, specimen.study.trace)]
+    times = [
+        t for t in (part * end for part in MOMENT_FRACTIONS) if t == 0.0 or is_clear_of_events(t, specimen.study.trace)
+    ]
     yield from _parted(_events(specimen.study.trace, end, 1.0), _events(other.trace, end, stretch), end, close)
     here = _values(list(specimen.targets), specimen.study.trace, times, 1.0)
     there = _values(list(specimen.targets), other.trace, times, stretch)

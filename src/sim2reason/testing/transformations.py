@@ -104,11 +104,11 @@ def _coordinate(coordinate: Coordinate) -> Coordinate:
     return replace(coordinate, axis=axis)
 
 
-NODES = 10  # Gauss-Legendre nodes in each piece of an interval between events
-HALVINGS = 12  # at most
+GAUSS_NODES = 10  # Gauss-Legendre nodes in each piece of an interval between events
+MAX_HALVINGS = 12  # at most
 CONVERGENCE_RTOL = 1e-10  # relative change at which an integral has converged
 RATE_FLOOR = 1e-9  # m/s; slower lines do no work, whatever their tension
-POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(GAUSS_NODES)
 
 
 def intervals(trace: Trace, end: float) -> list[tuple[float, float]]:
@@ -133,7 +133,7 @@ def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[Stat
     pieces = np.array([[start, stop]])
     values, sizes = _pieces(trace, pieces, integrand)
     total, size = np.zeros(values.shape[0]), np.zeros(values.shape[0])
-    for _ in range(HALVINGS):
+    for _ in range(MAX_HALVINGS):
         middle = pieces.mean(axis=1)
         halves = np.stack([pieces[:, 0], middle, middle, pieces[:, 1]], axis=1).reshape(-1, 2)
         finer, larger = _pieces(trace, halves, integrand)

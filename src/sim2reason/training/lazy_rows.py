@@ -17,11 +17,11 @@ from sim2reason.datasets.generate import build_config
 from sim2reason.datasets.plan import ALL_NAMES, MAKER, TRAIN
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.generation.item import Record
-from sim2reason.generation.request import LARGEST, SI
+from sim2reason.generation.request import MAX_SEED, SI
 
 __all__ = ["LazyRows", "LazySettings", "Rows"]
 
-PARTS = 1000
+MAX_SHARE_DENOMINATOR = 1000
 """The share of drawn rows is taken as a fraction with a denominator of at most this."""
 Names = str | Annotated[tuple[str, ...], MinLen(1)]
 
@@ -48,7 +48,7 @@ class LazySettings(Record):
     recipe: Names = ALL_NAMES
     difficulty: Names = ALL_NAMES
     mode: Names = "numeric"
-    seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] = 0
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     units: str = SI
     split: dict[str, float] = Field(default_factory=lambda: {TRAIN: 1.0})
@@ -105,7 +105,7 @@ class LazyRows:
         """Read the file without generating a problem."""
         self._export: Export = EXPORTS[to]
         self._settings = LazySettings.read(path)
-        self._share = Fraction(self._settings.share).limit_denominator(PARTS)
+        self._share = Fraction(self._settings.share).limit_denominator(MAX_SHARE_DENOMINATOR)
         try:
             self._problems = self._settings.problems()
         except Sim2ReasonError as error:

@@ -98,7 +98,7 @@ def _made(source: ProblemSource, cell: str, index: int) -> Made:
     return source.at(cell, index), time.process_time() - begun
 
 
-UNKNOWN = 0.5  # pass rate of an untried cell
+UNTRIED_PASS_RATE = 0.5  # pass rate of an untried cell
 
 
 class Curriculum(BaseModel):
@@ -116,16 +116,16 @@ class Curriculum(BaseModel):
 
     def weight(self, rate: float | None) -> float:
         """Return the sampling weight of a cell of problems by its pass rate; `rate` is None for an untried cell."""
-        p = UNKNOWN if rate is None else rate
+        p = UNTRIED_PASS_RATE if rate is None else rate
         return self.floor + 4.0 * p * (1.0 - p)
 
     def after(self, rate: float | None, seen: float) -> float:
         """Return the new average pass rate of a cell after responses of which the fraction `seen` was correct."""
-        before = UNKNOWN if rate is None else rate
+        before = UNTRIED_PASS_RATE if rate is None else rate
         return self.memory * before + (1.0 - self.memory) * seen
 
 
-EMPTY = 200  # failed requests of a cell in a row after which it counts as empty
+MAX_FAILED_REQUESTS = 200  # failed requests of a cell in a row after which it counts as empty
 
 
 class StreamState(BaseModel):
@@ -244,8 +244,10 @@ class ProblemStream:
     def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
         """Return the first problem of a cell from an index on, with its index."""
         source, cell = self._cells[key]
-        for index in range(start, start + EMPTY):
+        for index in range(start, start + MAX_FAILED_REQUESTS):
             problem = self.prefetcher.at(source, cell, index)
             if problem is not None and not {problem.item.prompt, problem.fingerprint} & self.avoid:
                 return index, problem
-        raise TrainingError(f"problems: {key} gave nothing in {EMPTY} draws; choose other recipes, kinds or weights")
+        raise TrainingError(
+            f"problems: {key} gave nothing in {MAX_FAILED_REQUESTS} draws; choose other recipes, kinds or weights"
+        )

@@ -19,7 +19,7 @@ from sim2reason.training.extras import External, library
 
 __all__ = ["AdvanceCallback", "BeginCallback", "is_launched", "run_in_processes"]
 
-LAST_WORDS = 2.0  # seconds for the first process to report an error after another has ended
+MAX_ERROR_LINES = 2.0  # seconds for the first process to report an error after another has ended
 T = TypeVar("T")
 BeginCallback: TypeAlias = Callable[[str, int], object]
 AdvanceCallback: TypeAlias = Callable[[int], object]
@@ -79,7 +79,7 @@ def _followed(
             wait(alive)
             continue
         fault, silent = _forward_report(pipe, begun, advance)
-    end = time.monotonic() + LAST_WORDS
+    end = time.monotonic() + MAX_ERROR_LINES
     while fault is None and not silent and pipe.poll(max(0.0, end - time.monotonic())):
         fault, silent = _forward_report(pipe, begun, advance)
     return fault

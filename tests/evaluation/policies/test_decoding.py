@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 import pytest
 
 from sim2reason.errors import PolicyError
-from sim2reason.evaluation.policies.decoding import ALIGNED, CHECK_EVERY, Decoder
+from sim2reason.evaluation.policies.decoding import CHECK_EVERY, LENGTH_MULTIPLE, Decoder
 
 Tensor: TypeAlias = Any
 Model: TypeAlias = Any  # of transformers
@@ -77,7 +77,13 @@ def test_batches_of_other_shapes_leave_nothing_behind(device: str) -> None:
     """Smaller batches reuse the cache, and larger ones enlarge it."""
     model = model_on(device)
     decoder = Decoder(model)
-    for widths, count in (((3, 9, 5), 20), ((4,), 7), ((2, 2), 20), ((6, 7, 8, 1, 12), 2 * ALIGNED), ((3, 9, 5), 20)):
+    for widths, count in (
+        ((3, 9, 5), 20),
+        ((4,), 7),
+        ((2, 2), 20),
+        ((6, 7, 8, 1, 12), 2 * LENGTH_MULTIPLE),
+        ((3, 9, 5), 20),
+    ):
         ids, mask = prompts(device, widths)
         assert decoder(ids, mask, count, greedy, ()).tolist() == generated(model, ids, mask, count).tolist()
 

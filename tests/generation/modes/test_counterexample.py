@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.generation.modes.corners import CLOSEST, SCATTERED, SIMULATED, counterexample
+from sim2reason.generation.modes.corners import CLOSEST, MAX_SIMULATIONS, SCATTERED, counterexample
 from sim2reason.generation.modes.problem_formula import ProblemSymbol, Variation
 from sim2reason.generation.modes.variations import Variations
 from sim2reason.generation.question_search import QuestionSearch
@@ -56,7 +56,7 @@ def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formul
 def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
     seen: list[float] = []
     counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
-    assert CLOSEST + SCATTERED < len(seen) <= SIMULATED[0]
+    assert CLOSEST + SCATTERED < len(seen) <= MAX_SIMULATIONS[0]
     assert max(seen[:CLOSEST]) < 1.7  # though factors reach 3.0
     assert max(seen) > 2.5  # and some are from everywhere
 

@@ -506,7 +506,7 @@ def test_a_formula_with_counterexamples_without_end_is_given_up(monkeypatch: pyt
 
     monkeypatch.setattr(formula_validity, "counterexample", another)
     assert bounced() is None
-    assert formula_validity.COUNTEREXAMPLES <= len(sought) <= 3 * formula_validity.COUNTEREXAMPLES
+    assert formula_validity.MAX_COUNTEREXAMPLES <= len(sought) <= 3 * formula_validity.MAX_COUNTEREXAMPLES
 
 
 SPRUNG = """

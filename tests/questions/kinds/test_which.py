@@ -18,7 +18,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.grading import Outcome
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.kinds.nested import CLEARLY, WhichKind, WhichQuery
+from sim2reason.questions.kinds.nested import MIN_RELATIVE_DIFFERENCE, WhichKind, WhichQuery
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, parse_choice
@@ -102,7 +102,7 @@ def test_the_sign_says_which_and_what_is_nearly_equal_is_not_asked(name: str) ->
             assert answer > 0.0
             assert kind.answer(query.exchanged, search.study) == pytest.approx(-answer)
             values = sorted(KINDS[each.kind].answer(each, search.study) or 0.0 for each in query.both)
-            assert values[1] - values[0] > CLEARLY * values[1]
+            assert values[1] - values[0] > MIN_RELATIVE_DIFFERENCE * values[1]
             assert kind.oriented(query.exchanged, search.study) == query
             assert kind.time(query, search.study) == max(
                 KINDS[each.kind].time(each, search.study) or 0.0 for each in query.both

@@ -12,7 +12,7 @@ from sim2reason.scenes.bodies.oscillators import Bar, FixedBall, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
 from sim2reason.scenes.dsl.body import BODIES
 from sim2reason.scenes.dsl.model import draw
-from sim2reason.scenes.dsl.solids import PAIRS, Shape
+from sim2reason.scenes.dsl.solids import TENSOR_INDICES, Shape
 
 SHAPES = [cls for cls in BODIES.values() if issubclass(cls, Shape)]
 CLOSE = 1e-10
@@ -33,7 +33,7 @@ def test_size_centroid_and_second_moments_are_those_of_its_points(cls: type[Shap
         found, extent = body.solid, max(body.reach((0.0, 0.0, 1.0)), body.reach((1.0, 0.0, 0.0)))
         assert found.size == pytest.approx(size, rel=CLOSE)
         assert found.center == pytest.approx(center.tolist(), abs=CLOSE * extent)
-        wanted = [float(second[i, j]) for i, j in PAIRS]
+        wanted = [float(second[i, j]) for i, j in TENSOR_INDICES]
         assert found.second == pytest.approx(wanted, abs=CLOSE * size * extent**2)
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quadrature import Cloud, block, column, lens, moments
 from sim2reason.scenes.dsl import solids
-from sim2reason.scenes.dsl.solids import PAIRS, Axes, Solid, axes_along, compose_axes
+from sim2reason.scenes.dsl.solids import TENSOR_INDICES, Axes, Solid, axes_along, compose_axes
 
 CLOSE = 1e-10
 
@@ -25,7 +25,7 @@ def check(found: Solid, cloud: Cloud) -> None:
     size, center, second = moments(cloud)
     assert found.size == pytest.approx(size, rel=CLOSE)
     assert found.center == pytest.approx(center.tolist(), abs=CLOSE)
-    assert found.second == pytest.approx([float(second[i, j]) for i, j in PAIRS], abs=CLOSE * abs(size))
+    assert found.second == pytest.approx([float(second[i, j]) for i, j in TENSOR_INDICES], abs=CLOSE * abs(size))
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from lone_entities import alone, close, followed, planar
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.bodies.space import HeavyPlanet, Planet, Star
-from sim2reason.scenes.entities.space import FULL, G, SolarSystem
+from sim2reason.scenes.entities.space import DURATION_PERIODS, G, SolarSystem
 from sim2reason.simulation.scenes import certify
 from sim2reason.text.prose import describe
 
@@ -25,7 +25,7 @@ def elliptic(e: float, axis: float = 1.0, mass: float = 1.0) -> SolarSystem:
 def test_the_earth_takes_a_year() -> None:
     """A circle of 1 au about one solar mass has the speed 2π au/yr, by the definition of G = 4π²."""
     system = elliptic(0.0)
-    assert alone(system).horizon == pytest.approx(FULL)
+    assert alone(system).horizon == pytest.approx(DURATION_PERIODS)
     t = np.linspace(0.0, 1.0, 201)
     x, y, _, _ = planar(followed(system, 1.0))
     close(x + 1.0, np.cos(2.0 * pi * t))
@@ -40,7 +40,7 @@ def test_ten_periods_by_keplers_equation(e: float, axis: float, mass: float) -> 
     """
     system = elliptic(e, axis, mass)
     period = 2.0 * pi * sqrt(axis**3 / (G * mass))
-    assert alone(system).horizon == pytest.approx(FULL * period)
+    assert alone(system).horizon == pytest.approx(DURATION_PERIODS * period)
     t = np.linspace(0.0, 10.0 * period, 401)
     anomaly = mean = 2.0 * pi * t / period
     for _ in range(60):
@@ -114,7 +114,7 @@ def test_heavy_planets_that_meet_are_refused_at_once() -> None:
 def test_a_planet_that_escapes_is_followed_for_the_time_of_a_circle() -> None:
     """The horizon is a little more than 2π √(r³/GM)."""
     system = SolarSystem(star=Star(mass=1.0), planets=(Planet(x=1.0, y=0.0, vx=3.0, vy=12.0),))
-    assert alone(system).horizon == pytest.approx(FULL)
+    assert alone(system).horizon == pytest.approx(DURATION_PERIODS)
     assert followed(system, 1.0).cut == ""
 
 

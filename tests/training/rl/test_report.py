@@ -8,7 +8,7 @@ from pydantic import JsonValue
 
 from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award
-from sim2reason.training.rl.report import INSIDE, PROMISING, best_constant
+from sim2reason.training.rl.report import MAX_CANDIDATES, TOLERANCE_FRACTION, best_constant
 
 ANSWERS = st.lists(st.tuples(st.integers(1, 400), st.sampled_from([0.01, 0.05])), min_size=1, max_size=30)
 
@@ -27,7 +27,7 @@ def every_one(items: list[BenchmarkItem]) -> int:
         value, tolerance = answer["value"], answer["tolerance"]
         assert isinstance(value, float)
         assert isinstance(tolerance, float)
-        numbers += [value, (1 - INSIDE * tolerance) * value, (1 + INSIDE * tolerance) * value]
+        numbers += [value, (1 - TOLERANCE_FRACTION * tolerance) * value, (1 + TOLERANCE_FRACTION * tolerance) * value]
     said = [f"\\boxed{{{number:.6g}}}" for number in numbers]
     award = SCORINGS["sim2reason"].award
     return max(sum(award(text, each.reference).points == 1.0 for each in items) for text in said)
@@ -61,4 +61,4 @@ def test_of_many_answers_few_are_scored(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(rule, "award", counted)
     values = np.random.default_rng(0).lognormal(size=1000)
     assert 0.0 < best_constant([item(n, float(value), 0.05) for n, value in enumerate(values)]).value < 0.2
-    assert 0 < len(scored) <= PROMISING
+    assert 0 < len(scored) <= MAX_CANDIDATES

@@ -81,7 +81,7 @@ def requirement() -> str:
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 
-BATCH = 1000  # rows in memory at once
+BATCH_ROWS = 1000  # rows in memory at once
 BYTES: dict[str, Any] = {"compression": "zstd", "compression_level": 3, "version": "2.6"}
 """All that decides about the bytes of Parquet; none of it depends on the clock or the machine's cores."""
 PLAIN = {str: pa.string(), int: pa.int64(), float: pa.float64()}
@@ -104,7 +104,7 @@ def _parquet(path: Path, rows: Iterable[Row], columns: Mapping[str, Column]) -> 
     schema, left, count = pa.schema({name: _type(column) for name, column in columns.items()}), iter(rows), 0
     # by its own name pyarrow opens only what is UTF-8
     with path.open("wb") as file, pq.ParquetWriter(file, schema, **BYTES) as writer:
-        while batch := list(islice(left, BATCH)):
+        while batch := list(islice(left, BATCH_ROWS)):
             writer.write_table(pa.Table.from_pylist(batch, schema=schema))
             count += len(batch)
     return count

@@ -22,7 +22,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.request import load_maker
 
 PROGRAM = "__main__"
-STARTING = 60.0  # s, longest start of a worker, whatever the timeout of a batch
+MAX_START_TIME = 60.0  # s, longest start of a worker, whatever the timeout of a batch
 
 
 @dataclass
@@ -41,7 +41,7 @@ class _Worker:
         with children_ignoring_signals():
             process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
-        return cls(process, ours, patience, time.monotonic() + max(patience, STARTING))
+        return cls(process, ours, patience, time.monotonic() + max(patience, MAX_START_TIME))
 
     def give(self, batch: Batch) -> None:
         self.batch = batch

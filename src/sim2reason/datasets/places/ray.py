@@ -18,9 +18,9 @@ from sim2reason.datasets.worker import Attempt, Batch, outcome, tune_garbage_col
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import Maker, load_maker, versions
 
-RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
-WAITING: Final = 2  # batches per core, so that no core waits for the next one
-KNOCK: Final = 5.0  # s
+MAX_RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
+BATCHES_PER_CORE: Final = 2  # batches per core, so that no core waits for the next one
+CONNECT_TIMEOUT: Final = 5.0  # s
 
 
 @PLACES.register("ray")
@@ -36,7 +36,7 @@ def on_ray(crew: WorkerPool) -> Generator[Run, None, None]:
     try:
         if where:  # nobody may be there: Ray itself would wait for half a minute
             host, _, port = crew.address.rpartition(":")
-            socket.create_connection((host, int(port)), timeout=KNOCK).close()
+            socket.create_connection((host, int(port)), timeout=CONNECT_TIMEOUT).close()
         ray.init(address=where, log_to_driver=False, logging_level="ERROR")
     except (OSError, ImportError, RuntimeError, ValueError, OverflowError) as error:
         remedy = "start one: ray start --head --ray-client-server-port=PORT, and say --on ray://HOST:PORT"
@@ -48,10 +48,10 @@ def on_ray(crew: WorkerPool) -> Generator[Run, None, None]:
 
 
 def _replies(ray: Any, crew: WorkerPool, source: Source) -> Generator[tuple[Batch, Reply], None, None]:  # noqa: ANN401 - a module
-    task, pending = ray.remote(num_cpus=1, max_retries=RETRIES)(attempts), dict[Any, Batch]()
+    task, pending = ray.remote(num_cpus=1, max_retries=MAX_RETRIES)(attempts), dict[Any, Batch]()
     try:
         while True:
-            most = crew.workers or WAITING * int(ray.cluster_resources().get("CPU", 1))  # a cluster may grow
+            most = crew.workers or BATCHES_PER_CORE * int(ray.cluster_resources().get("CPU", 1))  # a cluster may grow
             while len(pending) < most and (batch := source()) is not None:
                 pending[task.remote(batch, crew.maker, crew.patience, versions())] = batch
             if not pending:

@@ -26,7 +26,7 @@ from sim2reason.evaluation.policies.network import out_of_reach
 __all__ = ["ASKED", "FileBenchmark", "HubFile", "QuestionFile", "Row", "fetched", "rows"]
 
 
-LARGEST: Final = 2**30  # bytes
+MAX_FILE_SIZE: Final = 2**30  # bytes
 Row = dict[str, Any]
 
 
@@ -67,8 +67,8 @@ def rows(path: Path, sha256: str | None = None) -> list[Row]:
     """
     if not path.is_file():
         raise EvaluationError(f"{path}: no such file; say where the benchmark lies")
-    if path.stat().st_size > LARGEST:
-        raise EvaluationError(f"{path}: more than {LARGEST // 2**20} MiB; give the benchmark's file alone")
+    if path.stat().st_size > MAX_FILE_SIZE:
+        raise EvaluationError(f"{path}: more than {MAX_FILE_SIZE // 2**20} MiB; give the benchmark's file alone")
     digest = checksum(path)
     if sha256 is not None and digest != sha256.lower():
         raise EvaluationError(f"{path}: its SHA-256 is {digest}, not the expected one; is it another version?")

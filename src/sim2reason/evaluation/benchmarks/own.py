@@ -16,7 +16,7 @@ from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
 from sim2reason.evaluation.benchmarks.files import QuestionFile, rows
 from sim2reason.generation.item import Item
-from sim2reason.generation.request import LARGEST
+from sim2reason.generation.request import MAX_SEED
 
 __all__ = ["SYNTHETIC", "AnyFile", "Saved", "Synthetic", "benchmark_item"]
 
@@ -43,7 +43,7 @@ class Saved(Benchmark):
 
 
 SYNTHETIC = "synthetic"
-DRAWN = 100
+DEFAULT_ITEMS = 100
 
 
 def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
@@ -69,9 +69,9 @@ class Synthetic(Chosen, Benchmark):
     """A folder that ``sim2reason generate`` has finished; else problems are drawn."""
     split: str | None = None
     """Of the dataset; by default all."""
-    seed: Annotated[int, Ge(0), Le(LARGEST)] | None = None
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] | None = None
     """Of the draws; keep it from all training."""
-    items: Annotated[int, Ge(1)] = DRAWN
+    items: Annotated[int, Ge(1)] = DEFAULT_ITEMS
     """How many are drawn, of each mode."""
 
     @model_validator(mode="after")

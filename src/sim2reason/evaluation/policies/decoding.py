@@ -19,7 +19,7 @@ __all__ = ["Decoder", "check_recordable"]
 
 
 Tensor: TypeAlias = Any
-ALIGNED = 16  # cache lengths are multiples of it, which the attention kernels need for masks
+LENGTH_MULTIPLE = 16  # cache lengths are multiples of it, which the attention kernels need for masks
 CHECK_EVERY = 16  # tokens between two checks whether all rows have ended, which synchronize the device
 WARMUP_PASSES = 2  # before recording, because libraries initialise themselves in the first pass
 ATTENTION, LAYER = "sdpa", "StaticLayer"
@@ -27,7 +27,7 @@ ATTENTION, LAYER = "sdpa", "StaticLayer"
 
 def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
     """Raise PolicyError for a model whose layers need several attention masks, as with sliding windows."""
-    layers = import_module("transformers").StaticCache(config=config, max_cache_len=ALIGNED).layers
+    layers = import_module("transformers").StaticCache(config=config, max_cache_len=LENGTH_MULTIPLE).layers
     if others := {type(layer).__name__ for layer in layers} - {LAYER}:
         raise PolicyError(f"cuda_graphs: the model has layers with a {', '.join(sorted(others))}; leave it out")
     if config._attn_implementation != ATTENTION:  # noqa: SLF001 - transformers tells it nowhere else
@@ -80,7 +80,7 @@ class Decoder:
         if cached is None or cached.rows < rows or cached.length < length:
             rows, length = (rows, length) if cached is None else (max(rows, cached.rows), max(length, cached.length))
             self._last_pass = cached = None  # not two caches at once
-            self._last_pass = cached = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
+            self._last_pass = cached = _RecordedPass(self._model, rows, -(-length // LENGTH_MULTIPLE) * LENGTH_MULTIPLE)
         return cached
 
 

@@ -34,7 +34,7 @@ from sim2reason.evaluation.policies.samples import NoAnswerError
 
 __all__ = ["Endpoint", "Fault", "read"]
 
-SHOWN: Final = 200  # characters of an endpoint's error message
+MAX_MESSAGE_LENGTH: Final = 200  # characters of an endpoint's error message
 BUSY: Final = {408, 409, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529}
 REFUSES_KEY: Final = {401, 403}
 REFUSES_PROMPT: Final = {400, 413, 422}
@@ -124,7 +124,7 @@ def _remedy(status: int, message: str) -> str:
 def _error_message(payload: Mapping[str, object], hidden: Callable[[str], str]) -> str:
     """Return the endpoint's error message after a colon."""
     text = _reason(payload.get("error", payload.get("message", payload.get("detail"))))
-    line = " ".join(hidden(_replace_surrogates(text)).split())[:SHOWN]
+    line = " ".join(hidden(_replace_surrogates(text)).split())[:MAX_MESSAGE_LENGTH]
     return f": {line}" if line else ""
 
 

@@ -19,7 +19,7 @@ from sim2reason.evaluation.policies import Completion, SampleRequest
 
 __all__ = ["FinishedSample", "SampleJournal", "prompt_hash", "read_finished"]
 
-BLOCK = 2**16  # bytes read at once in the search for the last line feed
+BLOCK_SIZE = 2**16  # bytes read at once in the search for the last line feed
 
 
 class FinishedSample(BaseModel):
@@ -101,7 +101,7 @@ class SampleJournal:
         size = complete_size = self.path.stat().st_size
         with self.path.open("rb") as file:
             while complete_size:
-                start = max(0, complete_size - BLOCK)
+                start = max(0, complete_size - BLOCK_SIZE)
                 file.seek(start)
                 end = file.read(complete_size - start).rfind(b"\n") + 1
                 complete_size = start + end

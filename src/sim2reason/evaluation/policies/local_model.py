@@ -33,7 +33,7 @@ class Constant(Policy):
         return [Completion(text=self.text, finish="stop", prompt_tokens=0, completion_tokens=0) for _ in requests]
 
 
-AHEAD = 2**24  # random numbers generated together
+MAX_RANDOM_NUMBERS = 2**24  # random numbers generated together
 WISHES = {
     "bad_words_ids": None,
     "begin_suppress_tokens": None,
@@ -50,7 +50,7 @@ WISHES = {
     "sequence_bias": None,
     "suppress_tokens": None,
 }  # by which a model's own configuration may change logits, with the values that do not
-TINY = 1e-20  # smallest uniform random number, whose logarithm is finite in single precision
+MIN_UNIFORM = 1e-20  # smallest uniform random number, whose logarithm is finite in single precision
 
 
 class _Loaded(NamedTuple):
@@ -207,10 +207,10 @@ class LocalModel(Policy):
 
         def noise(_: Any, scores: Any) -> Any:  # noqa: ANN401 - tensors
             if not ahead:
-                shape = max(1, min(AHEAD // scores.numel(), self.sampling.max_tokens)), scores.shape[1]
+                shape = max(1, min(MAX_RANDOM_NUMBERS // scores.numel(), self.sampling.max_tokens)), scores.shape[1]
                 drawn = [torch.rand(shape, generator=each, device=scores.device) for each in generators]
                 ahead.extend(reversed(torch.stack(drawn, dim=1)))
-            return scores.float() - torch.log(-torch.log(ahead.pop().clamp(TINY, 1.0 - 1e-7)))
+            return scores.float() - torch.log(-torch.log(ahead.pop().clamp(MIN_UNIFORM, 1.0 - 1e-7)))
 
         return [*processors, noise]
 

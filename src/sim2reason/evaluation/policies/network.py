@@ -116,7 +116,7 @@ def read_secret(variable: str | None, environment: Mapping[str, str] = os.enviro
 
 
 MAX_BODY: Final = 64 * 2**20
-CHUNK: Final = 2**16
+CHUNK_SIZE: Final = 2**16
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +173,7 @@ def _read(response: HTTPResponse, deadline: float) -> bytes | str:
     """Return the whole body, or the reason why it is incomplete."""
     parts: list[bytes] = []
     size = 0
-    while part := response.read1(CHUNK):
+    while part := response.read1(CHUNK_SIZE):
         parts.append(part)
         size += len(part)
         if size > MAX_BODY:
@@ -189,8 +189,8 @@ def _seconds(text: str | None) -> float | None:
     return float(text) if text is not None and text.strip().isdecimal() and len(text) < 8 else None
 
 
-PATIENCE = 10.0  # s
-SHOWN = 200  # characters of the library's error message
+HUB_TIMEOUT = 10.0  # s
+MAX_MESSAGE_LENGTH = 200  # characters of the library's error message
 
 
 def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | None = None) -> bool:
@@ -201,7 +201,7 @@ def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | N
     hub: Any = import_module("huggingface_hub")
     errors: Any = import_module("huggingface_hub.errors")
     try:
-        hub.HfApi().repo_info(name, repo_type=kind, revision=revision, timeout=PATIENCE)
+        hub.HfApi().repo_info(name, repo_type=kind, revision=revision, timeout=HUB_TIMEOUT)
     except errors.HfHubHTTPError:
         return False
     except errors.HFValidationError:
@@ -232,7 +232,7 @@ def explain_errors(path: str, error: Callable[[str], Exception]) -> Generator[No
     try:
         yield
     except (OSError, ValueError, ImportError) as found:
-        why = " ".join(str(found).split())[:SHOWN]
+        why = " ".join(str(found).split())[:MAX_MESSAGE_LENGTH]
         raise error(f"no model could be loaded from {path!r}: {why}") from None
 
 

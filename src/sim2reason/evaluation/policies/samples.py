@@ -22,7 +22,7 @@ class NoAnswerError(PolicyError):
     """An error for a request without an answer, while others may succeed."""
 
 
-TEMPLATE = 64  # tokens that a chat template may add to a prompt
+MAX_TEMPLATE_TOKENS = 64  # tokens that a chat template may add to a prompt
 
 
 class Budget:
@@ -40,7 +40,9 @@ class Budget:
 
     def most(self, request: SampleRequest) -> tuple[int, float]:
         """Return the largest number of tokens and the cost that a request may cause, before it is sent."""
-        return self._cost(len(request.prompt.encode(errors="replace")) + TEMPLATE, self._policy.sampling.max_tokens)
+        return self._cost(
+            len(request.prompt.encode(errors="replace")) + MAX_TEMPLATE_TOKENS, self._policy.sampling.max_tokens
+        )
 
     def used(self, completion: Completion, most: tuple[int, float]) -> tuple[int, float]:
         """Return the tokens and cost of a completion; the largest possible ones if the endpoint reports none."""

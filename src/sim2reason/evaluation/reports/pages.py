@@ -117,8 +117,8 @@ def _pictures(names: Sequence[str]) -> Iterator[str]:
         yield ""
 
 
-MOST_ITEMS = 100  # of each benchmark
-LONGEST = 20_000  # characters of a response
+MAX_ITEMS = 100  # of each benchmark
+MAX_RESPONSE_LENGTH = 20_000  # characters of a response
 HEAD = """<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
@@ -141,11 +141,11 @@ Shown = Mapping[tuple[str, str], SampleOutcome]
 
 def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcome]]) -> Iterator[str]:
     """Yield the page in pieces; `outcomes` are given by benchmark."""
-    yield HEAD.format(most=MOST_ITEMS)
+    yield HEAD.format(most=MAX_ITEMS)
     for benchmark, samples in outcomes.items():
         policies = list(dict.fromkeys(outcome.policy for outcome in samples))
         first = {(outcome.policy, outcome.id): outcome for outcome in samples if outcome.sample == 0}
-        items = folder.items(benchmark)[:MOST_ITEMS]
+        items = folder.items(benchmark)[:MAX_ITEMS]
         texts = {policy: _texts(folder, policy, benchmark, {item.id for item in items}) for policy in policies}
         yield f"<h2>{escape(benchmark)}</h2>\n"
         for item in items:
@@ -156,7 +156,7 @@ def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcom
 def _texts(folder: RunFolder, policy: str, benchmark: str, wanted: set[str]) -> dict[str, str]:
     """Return a policy's first responses to the wanted problems."""
     samples = read_finished(folder.samples(policy, benchmark))
-    return {s.id: s.completion.whole[:LONGEST] for s in samples if s.sample == 0 and s.id in wanted}
+    return {s.id: s.completion.whole[:MAX_RESPONSE_LENGTH] for s in samples if s.sample == 0 and s.id in wanted}
 
 
 def _item(

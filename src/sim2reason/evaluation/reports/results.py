@@ -28,11 +28,11 @@ __all__ = [
     "wilson_interval",
 ]
 
-LEVEL: Final = 0.95
-NORMAL: Final = 1.959963984540054  # two-sided quantile of the normal distribution for that level
-RESAMPLES: Final = 4000
+CONFIDENCE_LEVEL: Final = 0.95
+NORMAL_QUANTILE: Final = 1.959963984540054  # two-sided quantile of the normal distribution for that level
+RESAMPLE_COUNT: Final = 4000
 SEED: Final = 20_260  # of the resampling, so that equal data give the same interval
-BLOCK: Final = 2**22  # random numbers generated at once
+BLOCK_SIZE: Final = 2**22  # random numbers generated at once
 
 Floats = NDArray[np.float64]
 
@@ -58,9 +58,9 @@ def wilson_interval(right: int, total: int) -> Estimate:
     """
     if total <= 0 or not 0 <= right <= total:
         raise ValueError("a share needs trials, and no more right ones than those")
-    share, z2 = right / total, NORMAL**2
+    share, z2 = right / total, NORMAL_QUANTILE**2
     middle = (share + z2 / (2 * total)) / (1 + z2 / total)
-    half = NORMAL * sqrt(share * (1 - share) / total + z2 / (4 * total**2)) / (1 + z2 / total)
+    half = NORMAL_QUANTILE * sqrt(share * (1 - share) / total + z2 / (4 * total**2)) / (1 + z2 / total)
     # The ends at no and at all right are 0 and 1; rounding may miss them.
     low = 0.0 if right == 0 else middle - half
     high = 1.0 if right == total else middle + half
@@ -71,8 +71,8 @@ def _resampled(values: Floats) -> Floats:
     """Return the means of bootstrap resamples (Efron, 1979)."""
     draws = np.random.default_rng(SEED)
     count, means = len(values), list[Floats]()
-    rows = max(1, min(RESAMPLES, BLOCK // count))
-    left = RESAMPLES
+    rows = max(1, min(RESAMPLE_COUNT, BLOCK_SIZE // count))
+    left = RESAMPLE_COUNT
     while left > 0:
         places = draws.integers(0, count, size=(min(rows, left), count))
         means.append(values[places].mean(axis=1))
@@ -89,7 +89,7 @@ def _interval(values: Floats, minimum: float) -> Estimate:
     if np.ptp(values) == 0.0:
         reach = wilson_interval(0, len(values)).high
         return Estimate(mean, max(minimum, mean - reach), min(1.0, mean + reach), "score")
-    low, high = np.quantile(_resampled(values), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
+    low, high = np.quantile(_resampled(values), [(1 - CONFIDENCE_LEVEL) / 2, (1 + CONFIDENCE_LEVEL) / 2])
     return Estimate(mean, float(low), float(high), "bootstrap")
 
 
@@ -147,13 +147,13 @@ def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
         return Estimate(rho, -1.0, 1.0, "none")
     next_to = 1.0 - 12.0 / (count * (count**2 - 1))
     clipped = max(-next_to, min(next_to, rho))
-    half = NORMAL * sqrt((1 + clipped**2 / 2) / (count - 3))
+    half = NORMAL_QUANTILE * sqrt((1 + clipped**2 / 2) / (count - 3))
     low, high = tanh(atanh(clipped) - half), tanh(atanh(clipped) + half)
     return Estimate(rho, -1.0 if rho < -next_to else low, 1.0 if rho > next_to else high, "bonett-wright")
 
 
-MOST_GROUPS = 200  # values of a tag up to which it is reported as groups
-PASSES = 1, 2, 4, 8, 16, 32, 64, 128
+MAX_GROUPS = 200  # values of a tag up to which it is reported as groups
+PASS_COUNTS = 1, 2, 4, 8, 16, 32, 64, 128
 
 
 class _Record(BaseModel):
@@ -237,7 +237,7 @@ def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[Sa
     tokens = [outcome.tokens for outcome in outcomes if outcome.tokens is not None]
     endings = Counter(outcome.ending for outcome in outcomes)
     all_points = list(points.values())
-    passes = {k: share for k in PASSES if k <= plan.samples and (share := pass_at(all_points, k)) is not None}
+    passes = {k: share for k in PASS_COUNTS if k <= plan.samples and (share := pass_at(all_points, k)) is not None}
     return Result(
         policy=policy,
         benchmark=benchmark,
@@ -268,5 +268,5 @@ def _groups(items: Iterable[BenchmarkItem], points: Mapping[str, list[float]]) -
             for value, group_points in sorted(by_value.items())
         }
         for tag, by_value in sorted(sorted_out.items())
-        if 1 <= len(by_value) <= MOST_GROUPS
+        if 1 <= len(by_value) <= MAX_GROUPS
     }

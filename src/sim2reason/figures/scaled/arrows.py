@@ -19,9 +19,9 @@ LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arr
 ARROW_GAP = 0.15  # units between two arrows, at least
 REST_SPEED = 1e-9
 MINUS = "\N{MINUS SIGN}"
-FINE = 12  # straight segments of a curved arrow
-ARC = 0.85
-STEPS = (1.0, 2.0, 5.0)
+ARC_SEGMENTS = 12  # straight segments of a curved arrow
+ARC_RADIUS = 0.85
+SPEED_STEPS = (1.0, 2.0, 5.0)
 
 
 def speeds(setting: DrawingContext, *, headings: bool = True) -> Sketch:
@@ -52,7 +52,7 @@ def speeds(setting: DrawingContext, *, headings: bool = True) -> Sketch:
         if headings:
             _heading(setting, name, velocity, sketch)
     if unsaid and len(moving) > 0:
-        value = max(m * 10.0**k for k in range(-6, 7) for m in STEPS if m * 10.0**k <= fastest * 1.001)
+        value = max(m * 10.0**k for k in range(-6, 7) for m in SPEED_STEPS if m * 10.0**k <= fastest * 1.001)
         setting.legend = (value * longest / fastest, f"{value:g} {show_unit(unit_of_speed)}")
     return sketch
 
@@ -139,7 +139,7 @@ def _mark(text: str, name: str, setting: DrawingContext, turn: tuple[float, floa
     size = abs(stop - start)
     low, high = sorted((start, stop))
     base = rect(1.0, radians(start))
-    radius = ARC + (0.35 if size < 20.0 else 0.0)
+    radius = ARC_RADIUS + (0.35 if size < 20.0 else 0.0)
     sketch.shapes += [
         LineShape((at + setting.radius(name) * base, at + 1.7 * base), "hair", dashed=True),
         Arc(at, radius, low, high, weight="thin"),
@@ -177,11 +177,11 @@ def _curved(text: str, setting: DrawingContext, body: RigidBody, sense: float, s
     else:
         radius = setting.radius(body.name) + 0.2
         begin, long = 0.5 * pi - sense * 0.7, 1.4 * radius
-    turns = [begin + sense * long / radius * n / FINE for n in range(FINE + 1)]
+    turns = [begin + sense * long / radius * n / ARC_SEGMENTS for n in range(ARC_SEGMENTS + 1)]
     sketch.shapes.append(LineShape(tuple(pivot + rect(radius, turn) for turn in turns), "thin", arrow=True))
     places: list[complex] = []
     for far in (0.12, 0.3, 0.5):
-        for turn in (turns[-1], turns[FINE // 2], turns[-1] + sense * 0.3 / radius):
+        for turn in (turns[-1], turns[ARC_SEGMENTS // 2], turns[-1] + sense * 0.3 / radius):
             direction = rect(1.0, turn)
             aside = far + 0.5 * width(text, SMALL) * abs(direction.real) + 0.5 * SMALL * abs(direction.imag)
             places += [pivot + (radius + aside) * direction, pivot + (radius - aside) * direction]
@@ -218,8 +218,8 @@ def _free(setting: DrawingContext, top: complex, end: complex, turn: float) -> f
             out, reach = setting.at(body.name) - top, setting.radius(body.name) + 0.08
             if abs(cross(direction, out)) < reach:
                 taken.append((dot(direction, out) - reach, dot(direction, out) + reach))
-    usual = ARC + (0.45 if turn < 25.0 else 0.0)
-    radii = (usual, 1.5, ARC, 0.6, 2.0, 2.5, 3.0)
+    usual = ARC_RADIUS + (0.45 if turn < 25.0 else 0.0)
+    radii = (usual, 1.5, ARC_RADIUS, 0.6, 2.0, 2.5, 3.0)
     return next((r for r in radii if not any(low < r < high for low, high in taken)), usual)
 
 

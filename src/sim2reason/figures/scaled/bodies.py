@@ -11,16 +11,27 @@ from sim2reason.figures.pieces import positions_around
 from sim2reason.figures.plane import RIGHT, UP, Polygon, hull, rectangle, unit_vector
 from sim2reason.figures.scaled.lines import label_positions
 from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, DrawingContext
-from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, LabelRequest, Shape, Sketch, width
+from sim2reason.figures.shapes import (
+    MAX_LETTER_LENGTH,
+    SIZE,
+    SMALL,
+    TINY,
+    Arc,
+    Area,
+    LabelRequest,
+    Shape,
+    Sketch,
+    width,
+)
 from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 
-THIN = 0.13  # units: drawn thickness of thin bodies, at least
-ROCKET = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))
-FINS = (((-0.2, -0.5), (-0.38, -0.65), (-0.2, -0.15)), ((0.2, -0.5), (0.38, -0.65), (0.2, -0.15)))
+MIN_THICKNESS = 0.13  # units: drawn thickness of thin bodies, at least
+ROCKET_OUTLINE = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))
+ROCKET_FINS = (((-0.2, -0.5), (-0.38, -0.65), (-0.2, -0.15)), ((0.2, -0.5), (0.38, -0.65), (0.2, -0.15)))
 LETTERED = ("puck", "sphere")  # round bodies with room for a letter
-SEEN = 0.5  # an axis with at least this component in the page is drawn from the side
-LEVEL = 0.3  # largest sine of a slope at which labels along it fit into a slab
-FINE = 24  # points of half a round outline
+MIN_SIDE_COMPONENT = 0.5  # an axis with at least this component in the page is drawn from the side
+MAX_LABEL_SLOPE = 0.3  # largest sine of a slope at which labels along it fit into a slab
+ARC_POINTS = 24  # points of half a round outline
 
 
 def body(setting: DrawingContext, address: str, along: complex = RIGHT) -> Sketch:
@@ -73,7 +84,7 @@ def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], alo
             wheels = [Arc(at - out * (radius - 0.13) + side * 0.3 * along, 0.13) for side in (-1.0, 1.0)]
             return [Area(rectangle(at + 0.1 * out, wide, tall - 0.2, along), "block"), *wheels]
         case "rocket":
-            parts = (*FINS, ROCKET)
+            parts = (*ROCKET_FINS, ROCKET_OUTLINE)
             return [Area(tuple(at + complex(*p) for p in part), "block") for part in parts]
         case "star":
             return [Arc(at, radius, fill="star")]
@@ -106,18 +117,18 @@ def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], di
 
 
 def _turns(gap: float) -> list[float]:
-    return [gap + (2.0 * pi - 2.0 * gap) * n / (2 * FINE) for n in range(2 * FINE + 1)]
+    return [gap + (2.0 * pi - 2.0 * gap) * n / (2 * ARC_POINTS) for n in range(2 * ARC_POINTS + 1)]
 
 
 def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) -> list[Shape]:
     """Return a circle or polygon for a view along the body's axis, else a rectangle."""
     x, z = ways
-    if abs(z) > SEEN:
-        wide, tall = max(THIN, 2.0 * look.radius * size), max(THIN, look.height * size)
+    if abs(z) > MIN_SIDE_COMPONENT:
+        wide, tall = max(MIN_THICKNESS, 2.0 * look.radius * size), max(MIN_THICKNESS, look.height * size)
         return [Area(rectangle(at, wide, tall, unit_vector(z) * -1j), "block")]
     radius = look.radius * size
     if look.sides:
-        start = x if abs(x) > SEEN else RIGHT
+        start = x if abs(x) > MIN_SIDE_COMPONENT else RIGHT
         corners = tuple(at + radius * start * rect(1.0, 2.0 * pi * n / look.sides) for n in range(look.sides))
         return [Area(corners, "block")]
     found: list[Shape] = [Arc(at, radius, fill="block")]
@@ -128,10 +139,10 @@ def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) 
 
 def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
     """Return the outline of a spherical cap: a circular segment, or the section of a bowl's wall."""
-    if abs(z) <= SEEN:
+    if abs(z) <= MIN_SIDE_COMPONENT:
         wide = sqrt(max(0.0, look.height * (2.0 * look.radius - look.height))) if look.height < look.radius else 0.0
         radius = size * (wide or look.radius)
-        return tuple(at + radius * rect(1.0, pi * n / FINE) for n in range(2 * FINE))
+        return tuple(at + radius * rect(1.0, pi * n / ARC_POINTS) for n in range(2 * ARC_POINTS))
     up = unit_vector(z)
     outer = _segment(look.radius, look.height)
     inner = _segment(look.radius - look.wall, look.height - look.wall) if look.wall else ()
@@ -142,7 +153,7 @@ def _segment(radius: float, height: float) -> Polygon:
     """Return the outline of a cap, relative to the centre of its flat face, with the cap's top upwards."""
     center = height - radius
     low = asin(max(-1.0, min(1.0, -center / radius)))
-    turns = (low + (pi - 2.0 * low) * n / FINE for n in range(FINE + 1))
+    turns = (low + (pi - 2.0 * low) * n / ARC_POINTS for n in range(ARC_POINTS + 1))
     return tuple(complex(0.0, center) + radius * rect(1.0, turn) for turn in turns)
 
 
@@ -164,7 +175,7 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
     mark = look.mark if isinstance(look, Small) else ""
     labels = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
     long, half = lengthwise(setting, address, look)
-    fits = not mark and len(name) <= LETTER and width(name, SIZE) < 1.5 * half and _plain(look)
+    fits = not mark and len(name) <= MAX_LETTER_LENGTH and width(name, SIZE) < 1.5 * half and _plain(look)
     mass = plan.mass(address)
     if fits and mass:
         labels.append(
@@ -192,7 +203,7 @@ def slab_labels(setting: DrawingContext, address: str, at: complex) -> list[Labe
     if not mass:
         ends = (at + side * (half + 0.2 + wide) * along for side in (1.0, -1.0))
         return [LabelRequest(name, (at,) if wide < half else tuple(ends), address)]
-    first, level = -0.6 * width(mass, TINY) * along, abs(along.imag) < LEVEL
+    first, level = -0.6 * width(mass, TINY) * along, abs(along.imag) < MAX_LABEL_SLOPE
     bare = 0.5 * SLAB_STEP  # of the slab, at either end, where another one lies on it
     ends = tuple(at + side * (half - 0.5 * bare) * along for side in (-1.0, 1.0))
     places = (at + 0.3 * along,) if level else ()
@@ -211,7 +222,7 @@ def lengthwise(setting: DrawingContext, address: str, look: BodyLook) -> tuple[c
             return 0j, setting.radius(address)
     edges = [0.5 * size * setting.view.at(axis) for size, axis in zip(sizes, setting.axes(address), strict=True)]
     shorter, longer = sorted(edges, key=abs)[1:]
-    half = max(0.5 * THIN, abs(shorter))
+    half = max(0.5 * MIN_THICKNESS, abs(shorter))
     return (longer if abs(longer) > 2.0 * half else 0j), half
 
 
@@ -219,7 +230,9 @@ def _covered(setting: DrawingContext, address: str) -> bool:
     """Return whether another body or a line is attached to the middle of a body, where its name would be."""
     joints = (j for j in setting.plan.scene.joints.values() if setting.owns(j.name) and j.connection.carries)
     sites = (setting.mechanism.site[joint.stops[0].sites[0]] for joint in joints)
-    return any(site.body == address and abs(setting.site(site.name) - setting.at(address)) < THIN for site in sites)
+    return any(
+        site.body == address and abs(setting.site(site.name) - setting.at(address)) < MIN_THICKNESS for site in sites
+    )
 
 
 def _plain(look: BodyLook) -> bool:

@@ -26,10 +26,10 @@ from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.scenes.dsl.mechanism import Prop, SurfaceContact
 
 BEYOND, MIN_SURFACE_LENGTH = 0.8, 3.4  # units by which a surface extends beyond the bodies on it, and its least length
-FLAT = 1e-6
-FLOOR = 0.99  # cosine of the normal to the vertical from which a surface is a floor
-GLOBE = 9.0  # units, radius of a planet of which only the top is visible
-WIDER = 1.25  # times the width of the bodies on a surface, before `BEYOND`
+ZERO_SLOPE_TOL = 1e-6
+MIN_FLOOR_COSINE = 0.99  # cosine of the normal to the vertical from which a surface is a floor
+GLOBE_RADIUS = 9.0  # units, radius of a planet of which only the top is visible
+WIDTH_FACTOR = 1.25  # times the width of the bodies on a surface, before `BEYOND`
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,9 @@ class Surface:
         """Return the unit vector along the surface, to the right or up."""
         direction = self.normal * -1j
         return (
-            direction if direction.real > FLAT or (abs(direction.real) <= FLAT and direction.imag > 0.0) else -direction
+            direction
+            if direction.real > ZERO_SLOPE_TOL or (abs(direction.real) <= ZERO_SLOPE_TOL and direction.imag > 0.0)
+            else -direction
         )
 
     @property
@@ -70,13 +72,13 @@ def surfaces(setting: DrawingContext) -> list[Surface]:
             continue
         normal = unit_vector(setting.view.project_direction(vector(setting.frames.normal(face.subject))) or UP)
         below = reach(setting, face)
-        half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
+        half = max(WIDTH_FACTOR * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
         for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
             _touch(surfaces_by_key, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
         at, normal = setting.site(foot.site), unit_vector(setting.view.project_direction(foot.normal))
-        if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
+        if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < ZERO_SLOPE_TOL:
             for end in _below(setting, setting.mechanism.site[foot.site].body or "", at, normal):
                 _touch(surfaces_by_key, None, normal, end)
     return list(surfaces_by_key.values())
@@ -86,7 +88,7 @@ def _below(setting: DrawingContext, body: str, foot: complex, normal: complex) -
     """Yield two points of the surface under a body, on both sides of the body's lowest point."""
     along = normal * 1j
     middle = dot(foot, normal) * normal + dot(setting.at(body), along) * along
-    for side in (-WIDER, WIDER):
+    for side in (-WIDTH_FACTOR, WIDTH_FACTOR):
         yield middle + side * setting.radius(body) * along
 
 
@@ -139,7 +141,7 @@ def _fixed(setting: DrawingContext, surface: Surface, sketch: Sketch) -> None:
     """Draw a fixed surface as a hatched line; for a slope also the triangle below it, with its angle."""
     a, b = surface.ends
     slope = surface.along.imag
-    if abs(slope) < FLAT or surface.normal.imag < FLAT:
+    if abs(slope) < ZERO_SLOPE_TOL or surface.normal.imag < ZERO_SLOPE_TOL:
         sketch.shapes += hatched_line(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched_line(b, a)
         return
     low, high = (a, b) if a.imag < b.imag else (b, a)
@@ -206,7 +208,9 @@ def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], sketch: Sk
 
 def _round(point: complex, middle: complex) -> float:
     return (
-        unit_vector(point - middle).real if point.imag < middle.imag - FLAT else 4.0 - unit_vector(point - middle).real
+        unit_vector(point - middle).real
+        if point.imag < middle.imag - ZERO_SLOPE_TOL
+        else 4.0 - unit_vector(point - middle).real
     )
 
 
@@ -253,7 +257,7 @@ def _walls(setting: DrawingContext, sketch: Sketch) -> None:
             continue
         if setting.view.level:
             continue  # the sheet ends there
-        if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
+        if abs(meeting.normal[2]) < MIN_FLOOR_COSINE:  # a wall across a track, level or not
             normal, at = unit_vector(setting.view.project_direction(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
             half = 0.9 * normal * -1j
@@ -272,7 +276,7 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], sketch: Sketch) -> No
             foot, half = setting.at(body) - 0.65 * up, 2.2 * up * -1j
             if any(isinstance(b.look, Globe) for b in setting.bodies.values()):
                 turn = degrees(phase(up))
-                sketch.shapes.append(Arc(foot - GLOBE * up, GLOBE, turn - 16.0, turn + 16.0))
+                sketch.shapes.append(Arc(foot - GLOBE_RADIUS * up, GLOBE_RADIUS, turn - 16.0, turn + 16.0))
             else:
                 sketch.shapes += hatched_line(foot - half, foot + half)
 

@@ -17,8 +17,8 @@ from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, 
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 
 NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # units: radii of a nail and of a pivot, and distance of the wall behind it
-ARROW = 1.2
-FINE = 0.2  # units, length of the straight segments of an arc
+ARROW_LENGTH = 1.2
+ARC_STEP = 0.2  # units, length of the straight segments of an arc
 COINCIDENCE_TOLERANCE = 1e-6
 
 
@@ -92,7 +92,7 @@ def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], sketch: 
 
 def _shares(long: float) -> Iterator[float]:
     """Yield the fractions at which a stroke is divided into short straight pieces, to bend it into an arc."""
-    count = 1 + int(long / FINE)
+    count = 1 + int(long / ARC_STEP)
     return (n / count for n in range(count))
 
 
@@ -155,8 +155,8 @@ def _draw_support(setting: DrawingContext, site: str, inward: complex, sketch: S
     at, builder = setting.site(site), setting.plan.scene.builder
     if site in builder.drawing:
         text = pull_text(setting.plan, site)
-        sketch.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
-        places = positions_around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
+        sketch.shapes += [Stroke((at, at - ARROW_LENGTH * inward), "string", arrow=True)]
+        places = positions_around(at - ARROW_LENGTH * inward, 0.15, width(text, SMALL), start=-inward)
         sketch.labels.append(LabelRequest(text, places, site, SMALL, name=False))
     elif setting.view.level:
         sketch.shapes.append(axle_dot(at, NAIL))

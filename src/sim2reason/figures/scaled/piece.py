@@ -20,8 +20,8 @@ from sim2reason.scenes.dsl.mechanism import RigidBody
 from sim2reason.simulation.quantities.subjects.bodies import rim_sites
 
 CLEAR, DIMENSION_SPACING = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
-NONE = 1e-6  # degrees; a smaller angle is not drawn
-ARC = 0.35  # units beyond the body at which an angle is marked
+MIN_ANGLE = 1e-6  # degrees; a smaller angle is not drawn
+ARC_MARGIN = 0.35  # units beyond the body at which an angle is marked
 
 
 def sketch_numbers(setting: DrawingContext) -> Sketch:
@@ -75,7 +75,7 @@ def _bearing(setting: DrawingContext, body: RigidBody, sketch: Sketch) -> None:
         return
     turn = degrees(phase(unit_vector(direction))) % 360.0
     value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
-    text = setting.state_once(owner_name(body.name), "deg", value) if value > NONE else ""
+    text = setting.state_once(owner_name(body.name), "deg", value) if value > MIN_ANGLE else ""
     if not text:
         return
     radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
@@ -116,7 +116,7 @@ def _leaving(setting: DrawingContext, site: str, wheel: str, sketch: Sketch) -> 
         return
     level = 0.0 if direction.real >= 0.0 else 180.0
     turn = sorted((level, raised if direction.real >= 0.0 else 180.0 - raised))
-    radius = max(abs(rim - start), 0.5 * setting.sizes(setting.mechanism.site[site].body or "")[0]) + ARC
+    radius = max(abs(rim - start), 0.5 * setting.sizes(setting.mechanism.site[site].body or "")[0]) + ARC_MARGIN
     middle = 1j ** (0.5 * sum(turn) / 90.0)
     beyond = radius + 0.1 + 0.5 * width(angle, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
     sketch.shapes.append(Arc(start, radius, *turn, weight="thin"))
@@ -138,7 +138,7 @@ def _rubbing(setting: DrawingContext, upper: str, lower: str, sketch: Sketch) ->
     sketch.labels.append(LabelRequest(text, (), upper, SMALL, name=False, anchors=ends))
 
 
-WHEEL = 0.16  # units, the least radius of a pulley
+MIN_PULLEY_RADIUS = 0.16  # units, the least radius of a pulley
 ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # looks drawn by other modules, not at the body's position
 
 
@@ -172,7 +172,7 @@ def _pulley(setting: DrawingContext, address: str) -> Sketch:
     if sides is None:
         return Sketch()
     left, right = (setting.site(site) for site in sides)
-    middle, radius = 0.5 * (left + right), max(WHEEL, 0.5 * abs(right - left))
+    middle, radius = 0.5 * (left + right), max(MIN_PULLEY_RADIUS, 0.5 * abs(right - left))
     look = setting.bodies[address].look
     solid = isinstance(look, PulleyWheel) and look.solid
     shapes: list[Shape] = [Arc(middle, radius, fill="disc" if solid else ""), axle_dot(middle, 0.05)]

@@ -30,7 +30,7 @@ from sim2reason.scenes.dsl.vectors import BoxRegion as Slab
 from sim2reason.scenes.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 
 LONG, BASE = 1.3, 1.1  # units: length of an arrow, and of the line from which its angle is measured
-FLAT = 1e-6  # degrees or units; smaller values count as zero
+ZERO_TOL = 1e-6  # degrees or units; smaller values count as zero
 
 
 def is_push(setting: DrawingContext, force: Force) -> bool:
@@ -54,7 +54,7 @@ def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
     assert isinstance(law, Push)
     strength = vector(scale(law.profile.value, law.direction))
     projected = setting.view.project_direction(strength)
-    if abs(projected) <= FLAT * hypot(*strength):
+    if abs(projected) <= ZERO_TOL * hypot(*strength):
         return
     out, name = unit_vector(projected), force.body
     start = setting.at(name) + setting.radius(name) * out
@@ -67,7 +67,9 @@ def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
     for base in _bases(setting, name):
         turn = phase(out / base)
         angle = (
-            setting.state_once(owner_name(name), "deg", degrees(abs(turn))) if FLAT < degrees(abs(turn)) <= 90.0 else ""
+            setting.state_once(owner_name(name), "deg", degrees(abs(turn)))
+            if ZERO_TOL < degrees(abs(turn)) <= 90.0
+            else ""
         )
         if angle:
             begin = degrees(phase(base))
@@ -79,13 +81,15 @@ def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
 def _bases(setting: DrawingContext, name: str) -> list[complex]:
     """Return the directions from which a force's angle is measured: of the body's slides, then horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
-    ways = [unit_vector(direction) for axis in slides if abs(direction := setting.view.project_direction(axis)) > FLAT]
+    ways = [
+        unit_vector(direction) for axis in slides if abs(direction := setting.view.project_direction(axis)) > ZERO_TOL
+    ]
     return [sign * direction for direction in (*ways, RIGHT) for sign in (1.0, -1.0)]
 
 
 PITCH, MARK, ARROW = 1.15, 0.09, 0.55  # units between marks, half the size of a cross, the length of an arrow
-CIRCLE = 48
-FAR = 1e3  # units, beyond every drawing
+CIRCLE_POINTS = 48
+FAR_DISTANCE = 1e3  # units, beyond every drawing
 NEGATIVE = "\N{MINUS SIGN}"
 SOON, FAINT = 1e-3, 1e-12  # s after the start at which a field is evaluated; smallest field that is drawn
 
@@ -192,7 +196,7 @@ def border(setting: DrawingContext, region: Region) -> Polygon:
     view, (left, low, right, high) = setting.view, spread(setting)
     page: Polygon = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
     if isinstance(region, DiscRegion):
-        turns = (2.0 * math.pi * n / CIRCLE for n in range(CIRCLE))
+        turns = (2.0 * math.pi * n / CIRCLE_POINTS for n in range(CIRCLE_POINTS))
         return tuple(
             view.at(region.center) + view.scale * region.radius * complex(math.cos(t), math.sin(t)) for t in turns
         )

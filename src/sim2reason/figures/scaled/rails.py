@@ -8,7 +8,7 @@ from math import degrees
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley, owner_name
 from sim2reason.figures.plane import RIGHT, UP, cross, unit_vector
-from sim2reason.figures.scaled.setting import BESIDE, STEEP, DrawingContext
+from sim2reason.figures.scaled.setting import BESIDE, MAX_VERTICAL_COSINE, DrawingContext
 from sim2reason.figures.shapes import (
     SIZE,
     SMALL,
@@ -24,11 +24,11 @@ from sim2reason.figures.shapes import (
 from sim2reason.scenes.dsl.body import BigBox, Small
 from sim2reason.scenes.dsl.mechanism import RigidBody
 
-RAIL = 2.0  # units of rail on either side of a guided body
-WHEEL = 0.24  # radius of a small pulley
+RAIL_LENGTH = 2.0  # units of rail on either side of a guided body
+SMALL_PULLEY_RADIUS = 0.24  # radius of a small pulley
 GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units: beside a box, below bodies beside it, and beside bodies on it
-FLAT = 1e-6
-TILTED = 2.2  # units, length of the horizontal line at the foot of a rail
+ZERO_TOL = 1e-6
+FOOT_LINE_LENGTH = 2.2  # units, length of the horizontal line at the foot of a rail
 
 
 def rides(setting: DrawingContext, body: RigidBody) -> bool:
@@ -37,7 +37,7 @@ def rides(setting: DrawingContext, body: RigidBody) -> bool:
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
         return False
     led = len(slides) == 1 and body.parent is None and look.kind in BESIDE
-    return led and abs(setting.view.project_direction(slides[0].axis).real) > STEEP
+    return led and abs(setting.view.project_direction(slides[0].axis).real) > MAX_VERTICAL_COSINE
 
 
 def walls(setting: DrawingContext, point: complex, direction: complex, on: str | None = None) -> Iterator[complex]:
@@ -45,7 +45,7 @@ def walls(setting: DrawingContext, point: complex, direction: complex, on: str |
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)
-            if setting.mechanism.site[site].body == on and abs(cross(at - point, direction)) < FLAT:
+            if setting.mechanism.site[site].body == on and abs(cross(at - point, direction)) < ZERO_TOL:
                 yield at
 
 
@@ -74,12 +74,12 @@ def _rail(setting: DrawingContext, group: list[RigidBody], sketch: Sketch) -> No
     direction, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
     faces = setting.plan.scene.builder.faces
     own = (faces.get(site.name) for site in setting.mechanism.sites if site.body == body.name)
-    along = any(to is not None and abs(cross(setting.view.project_direction(to), direction)) < FLAT for to in own)
+    along = any(to is not None and abs(cross(setting.view.project_direction(to), direction)) < ZERO_TOL for to in own)
     cart = isinstance(look, Small) and look.kind == "cart"
     others = [((setting.at(b.name) - at) / direction).real for b in group]
     ends = [
-        min(others) - RAIL,
-        max(others) + RAIL,
+        min(others) - RAIL_LENGTH,
+        max(others) + RAIL_LENGTH,
         *_stops(setting, group, direction, at),
         *(((end - at) / direction).real for end in walls(setting, at, direction)),
     ]
@@ -93,9 +93,9 @@ def _rail(setting: DrawingContext, group: list[RigidBody], sketch: Sketch) -> No
 def _tilt(setting: DrawingContext, body: RigidBody, low: complex, direction: complex, sketch: Sketch) -> None:
     """Draw the angle between a rail and the horizontal at its left end, if the text states it."""
     turn = degrees(phase(direction))
-    text = setting.state_once(owner_name(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
+    text = setting.state_once(owner_name(body.name), "deg", abs(turn)) if abs(turn) > ZERO_TOL else ""
     if text:
-        sketch.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
+        sketch.shapes.append(LineShape((low, low + FOOT_LINE_LENGTH), "hair", dashed=True))
         sketch.extend(corner_angle(low, (0.0, turn), text, body.name))
 
 
@@ -105,7 +105,7 @@ def _stops(setting: DrawingContext, group: list[RigidBody], direction: complex, 
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and meeting.b in names:
             normal = setting.view.project_direction(meeting.normal)
-            if abs(cross(normal, direction)) < FLAT:
+            if abs(cross(normal, direction)) < ZERO_TOL:
                 yield ((meeting.distance * setting.view.scale * normal - at) / direction).real
 
 
@@ -154,7 +154,7 @@ def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], sket
         if site.name in bends:
             to = _axle(at, *bends[site.name])
             sketch.shapes.append(LineShape((complex(wall, at.imag - 0.5 * setting.plan.sizes.height), to), "edge"))
-        elif abs(wall - at.real) > FLAT:
+        elif abs(wall - at.real) > ZERO_TOL:
             sketch.shapes.append(LineShape((complex(wall, at.imag), at), "edge"))
 
 
@@ -164,7 +164,7 @@ def _bends(setting: DrawingContext) -> Iterator[tuple[str, complex, complex]]:
         for (before, _), (site, after) in pairwise(pairwise(line.through)):
             if setting.owns(site) and not is_pulley(setting.plan.scene.bodies.get(site.rpartition(".")[0])):
                 a, b = _string_direction(setting, site, before), _string_direction(setting, site, after)
-                if abs(cross(a, b)) > FLAT:
+                if abs(cross(a, b)) > ZERO_TOL:
                     yield site, a, b
 
 
@@ -179,7 +179,7 @@ def _string_direction(setting: DrawingContext, site: str, other: str) -> complex
 def _axle(at: complex, before: complex, after: complex) -> complex:
     """Return the centre of a small pulley that touches both segments of a string."""
     middle = unit_vector(before + after)
-    return at + WHEEL / abs(cross(middle, after)) * middle
+    return at + SMALL_PULLEY_RADIUS / abs(cross(middle, after)) * middle
 
 
 def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, sketch: Sketch) -> None:
@@ -187,4 +187,4 @@ def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, 
     at = _axle(setting.site(site), before, after)
     if setting.mechanism.site[site].body is None:
         sketch.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)
-    sketch.shapes += [Arc(at, WHEEL), axle_dot(at, 0.05)]
+    sketch.shapes += [Arc(at, SMALL_PULLEY_RADIUS), axle_dot(at, 0.05)]

@@ -22,9 +22,9 @@ SLAB, SLAB_LENGTH, SLAB_STEP = (
     1.5,
     0.9,
 )  # units: the height of a slab, its length, and how much longer one below is
-NARROW = 0.45  # units, the least width of a block
+MIN_BLOCK_WIDTH = 0.45  # units, the least width of a block
 THIN_BULK = 0.27  # times the length of a thin body
-STEEP = 0.1  # cosine to the horizontal below which a body slides vertically
+MAX_VERTICAL_COSINE = 0.1  # cosine to the horizontal below which a body slides vertically
 
 
 def vector(triple: Triple) -> Vector:
@@ -159,7 +159,8 @@ class DrawingContext:
             return math.inf
         ways = (self.at(a) - self.at(address) for a in oblong if a != address and self.stands(a))
         return max(
-            NARROW, 0.9 * min((abs(offset) for offset in ways if abs(offset.imag) < abs(offset.real)), default=math.inf)
+            MIN_BLOCK_WIDTH,
+            0.9 * min((abs(offset) for offset in ways if abs(offset.imag) < abs(offset.real)), default=math.inf),
         )
 
     def radius(self, address: str) -> float:
@@ -176,7 +177,7 @@ class DrawingContext:
         if (face is None or face.turning) and len(slides) != 1:
             return RIGHT
         direction = self.view.project_direction(slides[0].axis) if slides else RIGHT
-        if face is None and abs(direction.real) < STEEP:
+        if face is None and abs(direction.real) < MAX_VERTICAL_COSINE:
             return RIGHT
         return (direction if direction.real >= 0.0 else -direction) / (abs(direction) or 1.0)
 

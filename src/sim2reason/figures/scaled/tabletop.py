@@ -58,9 +58,9 @@ def bounding_walls(setting: DrawingContext, area: Box) -> list[Shape]:
 
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
-MARGIN = 0.15  # units between a tick's number and the axis' end, and between a tick and an arrow
+TICK_MARGIN = 0.15  # units between a tick's number and the axis' end, and between a tick and an arrow
 BELOW, LINED = 0.55, 1e-6  # units: x axis below bodies on a track; tolerance of a line
-CROSS = 1.0  # length of an axis without numbers
+AXIS_LENGTH = 1.0  # length of an axis without numbers
 
 
 def axes(setting: DrawingContext) -> Sketch:
@@ -84,8 +84,10 @@ def axes(setting: DrawingContext) -> Sketch:
     for name in ("x", "y"):
         direction = labels.get(name)
         if direction is not None and abs(direction) > 0.5:
-            sketch.shapes.append(LineShape((corner, corner + CROSS * direction), "thin", arrow=True))
-            sketch.labels.append(LabelRequest(name, (corner + (CROSS + 0.25) * direction,), "", SMALL, name=False))
+            sketch.shapes.append(LineShape((corner, corner + AXIS_LENGTH * direction), "thin", arrow=True))
+            sketch.labels.append(
+                LabelRequest(name, (corner + (AXIS_LENGTH + 0.25) * direction,), "", SMALL, name=False)
+            )
     return sketch
 
 
@@ -176,7 +178,7 @@ def _ticks(
         if (not number and not zero) or any(abs(at - spot) < reach for spot, reach in covered):
             continue
         text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
-        half = 0.5 * (width(text, TINY) if abs(direction.real) > abs(direction.imag) else TINY) + MARGIN
+        half = 0.5 * (width(text, TINY) if abs(direction.real) > abs(direction.imag) else TINY) + TICK_MARGIN
         if not start + half < number * step * scale < stop - half or any(_is_near(at, arrow) for arrow in arrows):
             continue
         sketch.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
@@ -190,4 +192,4 @@ def _ticks(
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
     """Return whether a tick would touch a straight arrow."""
-    return segment_distance(at, arrow[0], arrow[-1]) < MARGIN + TICK
+    return segment_distance(at, arrow[0], arrow[-1]) < TICK_MARGIN + TICK

@@ -43,7 +43,7 @@ class Agreement(Filter):
 FILTERS.add("agreement", Agreement())
 
 
-SMALLEST = 0.01  # of the scene's largest value of the quantity: smaller values round to zero in two digits
+MIN_RELATIVE_ANSWER = 0.01  # of the scene's largest value of the quantity: smaller values round to zero in two digits
 EQUAL_ANSWER_RTOL = 2e-3  # relative; closer values round to the same three digits
 
 
@@ -62,7 +62,7 @@ class Degenerate(Filter):
         if candidate.question.answer < 0.0:
             return "the answer is negative, so that a constant below zero could be right"
         answer = candidate.question.answer
-        if abs(candidate.question.result) <= max(_smallest_result(candidate), SMALLEST * _scale(candidate)):
+        if abs(candidate.question.result) <= max(_smallest_result(candidate), MIN_RELATIVE_ANSWER * _scale(candidate)):
             return "the answer can not be told from zero"
         nearest = _nearest(candidate)
         if nearest is not None and abs(answer - nearest) <= candidate.tolerance * answer:  # who repeats it is paid
@@ -72,7 +72,7 @@ class Degenerate(Filter):
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the result and the least allowed one, the nearest stated number, the initial value."""
         question, nearest = candidate.question, _nearest(candidate)
-        floor = max(_smallest_result(candidate), SMALLEST * _scale(candidate))
+        floor = max(_smallest_result(candidate), MIN_RELATIVE_ANSWER * _scale(candidate))
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
         if nearest is not None:
             away, paid = candidate.change_to(nearest), candidate.tolerance
@@ -197,7 +197,7 @@ def _plain(symbol: str) -> str:
 FILTERS.add("identifiable", Identifiable())
 
 
-WORST = 20.0  # condition number: the root of the sum of the squares of all elasticities
+MAX_CONDITION_NUMBER = 20.0  # condition number: the root of the sum of the squares of all elasticities
 
 
 class Precision(Filter):
@@ -215,7 +215,7 @@ class Precision(Filter):
             if elasticity.reordered:
                 return f"a small shift of {', '.join(elasticity.given.paths)} changes the order of events"
             squares += elasticity.size**2
-            if squares > WORST**2:
+            if squares > MAX_CONDITION_NUMBER**2:
                 return f"the condition number is at least {sqrt(squares):.1f}"
         changed = next(_miscounted(candidate), "") if candidate.kind.measured(candidate.question.query).whole else ""
         return f"half a unit in the last place of {changed} changes the count" if changed else ""
@@ -223,7 +223,7 @@ class Precision(Filter):
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the condition number: the sensitivity of the answer to the stated numbers."""
         total = sqrt(sum(elasticity.size**2 for elasticity in elasticities(candidate)))
-        yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
+        yield f"the condition number is {total:.2f}; up to {MAX_CONDITION_NUMBER:g} is allowed"
 
 
 def _miscounted(candidate: Candidate) -> Iterator[str]:

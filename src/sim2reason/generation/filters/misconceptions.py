@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.questions import SimulatedScene
-from sim2reason.questions.accuracy import NEARLY
+from sim2reason.questions.accuracy import CLEAR_ERROR_FACTOR
 from sim2reason.questions.simplifications import (
     MISCONCEPTIONS,
     Misconception,
@@ -40,7 +40,7 @@ class Effect:
     @property
     def is_accepted(self) -> bool:
         """Return whether the changed answer would be accepted as correct, or nearly."""
-        return self.change < NEARLY * self.tolerance
+        return self.change < CLEAR_ERROR_FACTOR * self.tolerance
 
     @property
     def is_error(self) -> bool:
@@ -138,7 +138,7 @@ def _is_of_no_motion(candidate: Candidate) -> bool:
 
 
 TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
-MORE = 1.1  # factor on the inertia
+INERTIA_FACTOR = 1.1  # factor on the inertia
 MIN_INERTIA_EFFECT = 5e-3  # relative change of the answer from which it depends on the inertia
 
 
@@ -162,7 +162,7 @@ def _harder_to_turn(mechanism: Mechanism) -> Mechanism:
 
 
 def _with_more(body: RigidBody) -> RigidBody:
-    xx, yy, zz, xy, xz, yz = (MORE * part for part in body.inertia)
+    xx, yy, zz, xy, xz, yz = (INERTIA_FACTOR * part for part in body.inertia)
     return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
 

@@ -6,15 +6,15 @@ from itertools import product
 from math import cos, isclose, log, pi, prod, radians, sin, sqrt, tan
 
 from sim2reason.generation.filters import Candidate
-from sim2reason.generation.filters.sensitivity import SHIFT, givens, simulate_shifted
+from sim2reason.generation.filters.sensitivity import SHIFT_FRACTION, givens, simulate_shifted
 from sim2reason.questions import Question
 from sim2reason.scenes.dsl.units import parse_unit
 
 PRODUCT_RTOL = 1e-5  # relative deviation between the product and the answer
-POWER_TOLERANCE = 5.0 * SHIFT  # deviation of a measured power from a multiple of one half
+POWER_TOLERANCE = 5.0 * SHIFT_FRACTION  # deviation of a measured power from a multiple of one half
 ZERO_POWER = 2e-3  # smaller powers count as zero
 TEST_ANGLE = 5.0  # degrees by which an angle is changed to test the function of it
-HIGHEST = 2.0  # power
+MAX_POWER = 2.0  # power
 SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their reciprocals
 ANGLE = "deg"
 OWN = "what the question states"
@@ -123,7 +123,7 @@ def _halves(power: float) -> int | None:
     halves = round(2.0 * power)
     return (
         halves
-        if abs(2.0 * power - halves) <= 2.0 * POWER_TOLERANCE and abs(power) <= HIGHEST + POWER_TOLERANCE
+        if abs(2.0 * power - halves) <= 2.0 * POWER_TOLERANCE and abs(power) <= MAX_POWER + POWER_TOLERANCE
         else None
     )
 
@@ -157,12 +157,12 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
     if moment is None:
         return factors
     for index, (number, unit) in enumerate(moment.stated):
-        numbers = [value * (1.0 + SHIFT * (n == index)) for n, (value, _) in enumerate(moment.stated)]
+        numbers = [value * (1.0 + SHIFT_FRACTION * (n == index)) for n, (value, _) in enumerate(moment.stated)]
         there = candidate.kind.answer(replace(question.query, moment=moment.having(numbers)), candidate.study)
         if there is None:
             return None
         shown = float if question.unknown else view
-        power = _power(shown(question.result), shown(there), 1.0 + SHIFT)
+        power = _power(shown(question.result), shown(there), 1.0 + SHIFT_FRACTION)
         if power is None:
             return None
         power = -power * rate if question.unknown else power
@@ -172,7 +172,7 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
 
 def _rate(question: Question, view: View) -> float:
     """Return the exponent with which the answer scales with the given result of a reverse question."""
-    seen = _power(view(question.answer), view(question.answer * (1.0 + SHIFT)), 1.0 + SHIFT)
+    seen = _power(view(question.answer), view(question.answer * (1.0 + SHIFT_FRACTION)), 1.0 + SHIFT_FRACTION)
     return (seen or 0.0) / question.elasticity
 
 

@@ -42,7 +42,7 @@ FILTERS.add("magnitudes", Magnitudes())
 
 
 ACCELERATION_FLOOR = 1e-6  # m/s²
-SEVERAL = 2  # parts of a scene from which on the filter applies
+MIN_PARTS = 2  # parts of a scene from which on the filter applies
 
 
 class Opposed(SceneFilter):
@@ -58,7 +58,7 @@ class Opposed(SceneFilter):
         up = _accelerations(study)
         down = {name.partition(".")[0] for name, upwards in up.items() if upwards < -ACCELERATION_FLOOR}
         rises = any(upwards > ACCELERATION_FLOOR for upwards in up.values())
-        return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
+        return "all that has a weight runs down together" if len(down) >= MIN_PARTS and not rises else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: whether each accelerated body first accelerates upwards or downwards."""
@@ -106,7 +106,7 @@ def _tensions(study: SimulatedScene) -> dict[str, float]:
 FILTERS.add("taut", Taut())
 
 
-SHOWN = 5  # collisions in the findings
+MAX_LISTED_COLLISIONS = 5  # collisions in the findings
 MAX_COLLISIONS: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # collisions before the moment, at most
 
 
@@ -136,7 +136,7 @@ class Collision(Filter):
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the times of the first collisions."""
         hits = [event for event in candidate.study.trace.events if event.kind == "collision"]
-        yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:SHOWN])
+        yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:MAX_LISTED_COLLISIONS])
 
 
 def _all_bear(trace: Trace, time: float) -> bool:

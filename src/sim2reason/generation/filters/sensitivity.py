@@ -11,9 +11,9 @@ from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions.algebra.expressions import Symbol
 
-SHIFT = 1e-3  # relative change of a number
-TURN = 10.0  # degrees by which an angle is changed where other numbers are halved and doubled
-SLOWER = 2.2  # factor on the simulated time if a number is halved or doubled
+SHIFT_FRACTION = 1e-3  # relative change of a number
+ANGLE_CHANGE = 10.0  # degrees by which an angle is changed where other numbers are halved and doubled
+TIME_FACTOR = 2.2  # factor on the simulated time if a number is halved or doubled
 CERTAIN_FACTOR = 3.0  # times the tolerance: an elasticity from which the number surely matters
 VECTORS = "position", "velocity"  # measures whose numbers, where one thing has two, are components of one vector
 
@@ -90,7 +90,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
             yield Elasticity(given, 0.0, reordered=True)
             continue
         time = candidate.kind.time(candidate.question.query, other)
-        size = candidate.change_to(answer) / SHIFT
+        size = candidate.change_to(answer) / SHIFT_FRACTION
         yield Elasticity(given, size, reordered=other.trace.story(time) != before)
 
 
@@ -112,11 +112,11 @@ def matters(candidate: Candidate, elasticity: Elasticity) -> bool:
     if elasticity.reordered or elasticity.size >= CERTAIN_FACTOR * candidate.tolerance:
         return True
     study, given, time = candidate.study, elasticity.given, candidate.time or 0.0
-    until = None if candidate.time is None else SLOWER * time
-    for factor, turn in ((2.0, TURN), (0.5, -TURN)):
+    until = None if candidate.time is None else TIME_FACTOR * time
+    for factor, turn in ((2.0, ANGLE_CHANGE), (0.5, -ANGLE_CHANGE)):
         other = study.with_values(given.at(study.scene, (factor, factor), turn), until)
         answer = candidate.response(other)
-        if answer is None and (other is None or other.trace.stable_until < SLOWER * time):
+        if answer is None and (other is None or other.trace.stable_until < TIME_FACTOR * time):
             continue
         if candidate.change_to(answer) > candidate.tolerance:
             return True
@@ -128,7 +128,7 @@ def simulate_shifted(study: SimulatedScene, given: Given, until: float | None) -
 
     The components of a vector are shifted in opposite directions, which rotates it.
     """
-    for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
+    for factors in ((1.0 + SHIFT_FRACTION, 1.0 - SHIFT_FRACTION), (1.0 - SHIFT_FRACTION, 1.0 + SHIFT_FRACTION)):
         other = study.with_values(given.at(study.scene, factors), until)
         if other is not None:
             return other
@@ -137,7 +137,7 @@ def simulate_shifted(study: SimulatedScene, given: Given, until: float | None) -
 
 MIN_SINGLE_BODY = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter if one body moves
 MIN_SEVERAL_BODIES = {"easy": 3, "medium": 3, "hard": 4}  # numbers that must matter if several bodies move
-PARTS = 2  # of several bodies, the number that must have a relevant number
+MIN_RELEVANT_PARTS = 2  # of several bodies, the number that must have a relevant number
 MAX_IDLE_SHARE = 0.4  # largest fraction of stated numbers that may be irrelevant, even if marked
 MASS = "kg"
 
@@ -172,11 +172,13 @@ def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     if candidate.difficulty == "easy" and not any(given.parameters[0].measure.name == "friction" for given in moving):
         return f"{masses} masses matter"
     parts = len({given.owner for given in moving})
-    enough = count >= MIN_SEVERAL_BODIES[candidate.difficulty] and (parts >= PARTS or candidate.difficulty == "easy")
+    enough = count >= MIN_SEVERAL_BODIES[candidate.difficulty] and (
+        parts >= MIN_RELEVANT_PARTS or candidate.difficulty == "easy"
+    )
     return "" if enough else f"{count} numbers of {parts} parts matter"
 
 
-COUNTED = 2  # numbers that must be able to change a count
+MIN_COUNT_NUMBERS = 2  # numbers that must be able to change a count
 MAX_IDLE_FRACTION = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # fraction of irrelevant numbers allowed without a mark
 
 
@@ -208,7 +210,7 @@ class Sensitivity(Filter):
             if not counted and len(unmarked) > MAX_IDLE_FRACTION[candidate.difficulty] * len(given):
                 return f"idle numbers: {_paths(unmarked)}"
         if counted:
-            return "" if len(moving) >= COUNTED else f"reach: the count changes with {len(moving)} numbers"
+            return "" if len(moving) >= MIN_COUNT_NUMBERS else f"reach: the count changes with {len(moving)} numbers"
         short = shortfall(candidate, moving)
         return f"reach: {short}" if short else ""
 

@@ -20,9 +20,9 @@ from sim2reason.generation.filters.products import (
 from sim2reason.scenes.dsl.units import parse_unit
 
 MAX_NUMBERS = 5  # numbers; a sum of two products of more is not common knowledge
-ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
-HIGHEST = 4.0  # power of a number in a product
-TURNED = 1e-4  # relative deviation of the sum from the answer when an angle is changed
+ANSWER_POWERS = (1.0, 2.0)  # powers of the answer that may be the sum
+MAX_POWER = 4.0  # power of a number in a product
+ANGLE_RTOL = 1e-4  # relative deviation of the sum from the answer when an angle is changed
 SHARE_TOLERANCE = 0.02  # relative accuracy of a measured share
 MAX_ASSIGNMENTS = 256  # distributions of the numbers over the terms, at most
 SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
@@ -53,7 +53,7 @@ def find_sum(candidate: Candidate) -> str:
     if not factors or not 2 < len(factors) <= MAX_NUMBERS:
         return ""
     value = abs(question.answer) * parse_unit(question.unit).factor
-    for root in ROOTS:
+    for root in ANSWER_POWERS:
         for share, terms in _terms(factors, root):
             if any(_holds_turned(candidate, root, terms, front) for front in _fronts(value**root, share, terms)):
                 names = ", ".join(factor.path or OWN for factor in factors)
@@ -87,7 +87,7 @@ def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[
         turn, there = rotation
         here = _added((term.value for term in terms), front)
         ratio = _added((term.at(turn) for term in terms), front) / here
-        if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=TURNED):
+        if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=ANGLE_RTOL):
             return False
     return True
 
@@ -100,7 +100,7 @@ def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Term
     ways = [(factor, _ways(factor, root)) for factor in factors]
     for mixed in (factor for factor in factors if not _half(root * factor.power, POWER_TOLERANCE)):
         for _, slope in _shapes(mixed):
-            for halves in range(1, round(2.0 * HIGHEST) + 1):
+            for halves in range(1, round(2.0 * MAX_POWER) + 1):
                 for share in (2.0 * root * mixed.power / (sign * halves * slope) for sign in (1.0, -1.0)):
                     places = [*takewhile(bool, (_places(*each, share) for each in ways))]
                     if len(places) == len(factors) and prod(map(len, places)) <= MAX_ASSIGNMENTS:
@@ -161,4 +161,4 @@ def _half(power: float, near: float) -> float | None:
     """Return the multiple of one half near a power; None if there is none or it is zero."""
     half = round(2.0 * power) / 2.0
     size = abs(half)
-    return half if 0.0 < size <= HIGHEST and abs(power - half) <= (near * size if size > 1.0 else near) else None
+    return half if 0.0 < size <= MAX_POWER and abs(power - half) <= (near * size if size > 1.0 else near) else None

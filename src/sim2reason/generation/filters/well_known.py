@@ -16,7 +16,7 @@ from sim2reason.solutions.closed_forms.gathering import factor_terms, parted, sy
 from sim2reason.solutions.derivation import derivation, is_derived
 from sim2reason.solutions.difficulty import count_laws, is_vector
 
-SQUARE = 2
+SQUARE_EXPONENT = 2
 LENGTH = Symbol("length")
 
 
@@ -61,7 +61,7 @@ def _is_given(component: Expression) -> bool:
         case Sum(terms):
             return all(map(_is_given, terms))
         case Product(factors):
-            return symbols_in(component) == 1 and len(factors) <= SQUARE
+            return symbols_in(component) == 1 and len(factors) <= SQUARE_EXPONENT
         case _:
             return isinstance(component, Symbol)
 
@@ -80,7 +80,7 @@ An easy problem may be one that a textbook has, if it takes two laws.
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
 MAX_KNOWN_SYMBOLS = 4  # symbols in a formula known by heart together with moments of inertia
-LARGEST = 2  # coordinates of scenes to which the limit on laws applies, if no event occurs
+MAX_COORDINATES = 2  # coordinates of scenes to which the limit on laws applies, if no event occurs
 
 
 class FewLaws(Filter):
@@ -145,7 +145,7 @@ def _derivation(candidate: Candidate) -> Solution | None:
     study, words = candidate.study, candidate.words
     if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
-    if len(study.mechanism.coordinates) > LARGEST or study.trace.story(candidate.time):
+    if len(study.mechanism.coordinates) > MAX_COORDINATES or study.trace.story(candidate.time):
         return None
     solution = derivation(candidate.question.query, study, words)
     return solution if solution.derived else None

@@ -17,9 +17,9 @@ Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
 
 GUESSES, CORNER_SEED = 4000, 0  # combinations of range ends for which margins are estimated
-STARTS = 2  # known scenes from which the search starts, beside the best guess
-CLOSE = 0.1  # margin; if one start does not come closer to zero, others rarely do (2 of 230 searches)
-FINE = 5  # factors tried for the question's own numbers
+KNOWN_STARTS = 2  # known scenes from which the search starts, beside the best guess
+CLOSE_MARGIN = 0.1  # margin; if one start does not come closer to zero, others rarely do (2 of 230 searches)
+FACTOR_COUNT = 5  # factors tried for the question's own numbers
 UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
 
 
@@ -51,7 +51,7 @@ def find_corner(
     best: tuple[Variation | None, float] = None, inf
     for times in starts:
         best = min(best, _descended(variations, conditions, factors, times), key=lambda value: value[1])
-        if best[1] <= 0.0 or CLOSE < best[1] < inf:
+        if best[1] <= 0.0 or CLOSE_MARGIN < best[1] < inf:
             break
     return best[0]
 
@@ -60,7 +60,7 @@ def _least(conditions: Sequence[Margin], known: Sequence[Variation], own: Variat
     """Return the factors on all numbers for the known scenes that come closest to violating a condition."""
     within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in conditions[1:])]
     margins = {n: margin for n, other in enumerate(within) if (margin := conditions[0](other)) is not None}
-    closest = sorted(margins, key=lambda n: margins[n])[:STARTS]
+    closest = sorted(margins, key=lambda n: margins[n])[:KNOWN_STARTS]
     return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in closest]
 
 
@@ -121,19 +121,19 @@ def _descended(
 
 def _steps(factors: Array, *, fine: bool) -> list[float]:
     smallest, most = float(factors.min()), float(factors.max())
-    between: list[float] = np.geomspace(smallest, most, FINE).tolist()
+    between: list[float] = np.geomspace(smallest, most, FACTOR_COUNT).tolist()
     return between if fine else [smallest, 1.0, most]
 
 
 DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is evaluated
-CHANGED = 0.3  # fraction of numbers changed in every second set
-SIMULATED = (
+CHANGED_SHARE = 0.3  # fraction of numbers changed in every second set
+MAX_SIMULATIONS = (
     600,
     60,
 )  # of those where it is negative, and of those without a value, at most; where motions are integrated
 CLOSEST, SCATTERED = 8, 8  # of either kind first; the search ends if none of these scenes has an answer
-OTHER_SIGN = 3.0  # distance assigned to a change of sign, equal to that of a factor e³
-TINY = 1e-9  # of the answer; smaller magnitudes count as zero
+MAX_OTHER_SIGN = 3.0  # distance assigned to a change of sign, equal to that of a factor e³
+ZERO_RTOL = 1e-9  # of the answer; smaller magnitudes count as zero
 
 
 def counterexample(
@@ -154,7 +154,7 @@ def counterexample(
         return None
     drawn = _drawn(variations, width)
     values = array_values(formula, variations.columns(drawn))
-    negative = drawn[:0] if signed else drawn[values < -TINY * abs(own.answer)]
+    negative = drawn[:0] if signed else drawn[values < -ZERO_RTOL * abs(own.answer)]
     each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(values)]))
     return next((other for other in each if other is not None), None)
 
@@ -162,8 +162,8 @@ def counterexample(
 def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
     """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does."""
     here, answered = np.array([symbol.value for symbol in variations.symbols]), False
-    distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
-    most = SIMULATED[bool(changing(variations.study.mechanism))]
+    distance = (np.abs(np.log(np.abs(unfit / here))) + MAX_OTHER_SIGN * (unfit * here < 0.0)).sum(1)
+    most = MAX_SIMULATIONS[bool(changing(variations.study.mechanism))]
     for attempt, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
         if attempt == CLOSEST + SCATTERED and not answered:
             return None
@@ -185,7 +185,7 @@ def _in_turn(closest: list[int], most: int) -> Iterator[int]:
 def _drawn(variations: Variations, width: float) -> Array:
     """Return random sets of the numbers of a problem, (n, s), around the stated ones, without repetitions."""
     rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([symbol.value for symbol in variations.symbols])
-    changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
+    changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED_SHARE, 1.0)[:, None]
     drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
     may = np.array([symbol.signed for symbol in variations.symbols])
     drawn[DRAWN // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (DRAWN - DRAWN // 2, len(here))), 1.0)

@@ -14,12 +14,12 @@ from sim2reason.questions.regimes import MAX_ASSUMPTIONS, Regime, regimes
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import MAX_LATEX_LENGTH, ClosedForm, ClosedFormError, simplified_form
 
-POINTS = 8  # beside the scene's own numbers
+TEST_POINTS = 8  # beside the scene's own numbers
 NEAR_WIDTHS = (0.25, 0.08)  # relative distances of test scenes with the same regime
-WIDE = 1.1  # logarithm of the factor (about 3) within which the formula must hold unless a regime is assumed
+WIDE_LOG_FACTOR = 1.1  # logarithm of the factor (about 3) within which the formula must hold unless a regime is assumed
 TRIES, ACROSS = 16, 4
 ENGINE_RTOL = 1e-6  # relative deviation between formula and engine
-COUNTEREXAMPLES = 4  # after which the search for assumptions gives up
+MAX_COUNTEREXAMPLES = 4  # after which the search for assumptions gives up
 STEP_ERROR_RTOL = 1e-3  # relative; larger deviations are not due to the engine's steps
 
 
@@ -87,7 +87,7 @@ class FormulaValidity:
             for other in self._variations.drawn(rng, width, TRIES):
                 if other.story == own.story and self._agrees(formula, other):
                     nearby.append(other)
-                if len(nearby) > POINTS:
+                if len(nearby) > TEST_POINTS:
                     self._near = nearby
                     return True
         return False
@@ -110,12 +110,12 @@ class FormulaValidity:
 
         Regimes that are always stated come first. After each choice a counterexample is sought.
         """
-        for _ in range(COUNTEREXAMPLES):
+        for _ in range(MAX_COUNTEREXAMPLES):
             assumptions = self._chosen(formula, rng, words)
             if assumptions is None:
                 return None
             missed = partial(self._missed, formula.expression, assumptions)
-            other = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
+            other = counterexample(self._variations, formula.expression, missed, WIDE_LOG_FACTOR, signed=self._signed)
             if other is None:
                 return assumptions
             self._wide.append(other)
@@ -200,10 +200,10 @@ class FormulaValidity:
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR_WIDTHS[-1], ACROSS),
-            self._variations.draw_turned(rng, (formula, *self._whole), WIDE, self._unanswered),
-            self._variations.vary_one_by_one(WIDE, self._unanswered),
-            self._variations.mirrored(rng, WIDE),
-            self._variations.widely(rng, WIDE, self._unanswered),
+            self._variations.draw_turned(rng, (formula, *self._whole), WIDE_LOG_FACTOR, self._unanswered),
+            self._variations.vary_one_by_one(WIDE_LOG_FACTOR, self._unanswered),
+            self._variations.mirrored(rng, WIDE_LOG_FACTOR),
+            self._variations.widely(rng, WIDE_LOG_FACTOR, self._unanswered),
         )
         for other in self._more:
             self._wide.append(other)

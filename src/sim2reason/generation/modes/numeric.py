@@ -24,7 +24,7 @@ from sim2reason.questions.phrasing import draw_sentence, sentence
 from sim2reason.questions.query import targets
 from sim2reason.questions.sentences import parse_question
 
-DRAWS = 3  # queries of one kind, at most, until one is suitable
+MAX_DRAWS = 3  # queries of one kind, at most, until one is suitable
 
 
 @mode
@@ -48,7 +48,7 @@ class Numeric(QuestionMode):
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         offered = targets(words)
-        drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.costly else DRAWS))
+        drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.costly else MAX_DRAWS))
         queries = takewhile(lambda query: query is not None, drawn)
         query = next((query for query in queries if query is not None and suits(query, "", None)), None)
         return self.asking(query, study, words, rng) if query is not None else None

@@ -23,7 +23,7 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.conditions import UniquenessScan, asking_for
-from sim2reason.questions.dependence import STEP, AnswerFunction, lengthen_strings
+from sim2reason.questions.dependence import RELATIVE_STEP, AnswerFunction, lengthen_strings
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.moments.reached import Reached
@@ -34,9 +34,9 @@ from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR
 from sim2reason.questions.unknown import Unknown, draw_unknowns, far_from, range_of
 
 ANSWER_RTOL = 1e-2  # relative accuracy to which the given result must determine the answer
-DIGITS = 3  # significant digits of the given result
-DRAWS = 3  # queries of one kind, at most, until one is suitable
-EXACT = 15  # digits of a result of the drawn motion
+RESULT_DIGITS = 3  # significant digits of the given result
+MAX_DRAWS = 3  # queries of one kind, at most, until one is suitable
+EXACT_DIGITS = 15  # digits of a result of the drawn motion
 NEAR_MATCH_RTOL = 1e-2  # relative distance that counts as a near match
 TIMES = {"": 0.03, "time_to_event": 0.08}  # probability that a time is unknown: for all kinds, or for one
 
@@ -73,7 +73,7 @@ class Reverse(QuestionMode):
     def _ask_query(
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
-        for _ in range(DRAWS if asked.stated else 0):
+        for _ in range(MAX_DRAWS if asked.stated else 0):
             query = asked.draw(study, words, targets(words), rng)
             if query is None or not asked.noun_phrases(query, words, _noun(query, words)):
                 return None
@@ -81,7 +81,7 @@ class Reverse(QuestionMode):
             if result is None or not isfinite(result):
                 return None
             unit = words.units.spell(asked.measured(query).unit)
-            exact = StatedResult.rounded(result, unit, EXACT)
+            exact = StatedResult.rounded(result, unit, EXACT_DIGITS)
             attempted = False
             for unknown in draw_unknowns(_possible_unknowns(query, words), study.scene, rng):
                 if exact is None or not suits(query, unknown.path, exact):
@@ -226,7 +226,7 @@ def _fixed(
     rate = dependence.rate(drawn)
     if not rate:
         return None
-    given = StatedResult.rounded(result, unit, DIGITS)
+    given = StatedResult.rounded(result, unit, RESULT_DIGITS)
     if given is None or given.half > ANSWER_RTOL * abs(rate * drawn):
         return None
     answer = dependence.solve_from(given.value, drawn)
@@ -249,9 +249,11 @@ def _asking_when(study: SimulatedScene, words: Words, rng: np.random.Generator, 
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
     if drawn is None or drawn.target is None or time is None:
         return None
-    value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + STEP)))
-    given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), DIGITS) if isfinite(value) else None
-    if given is None or given.half > ANSWER_RTOL * abs(later - value) / STEP:
+    value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + RELATIVE_STEP)))
+    given = (
+        StatedResult.rounded(value, words.units.spell(drawn.target.unit), RESULT_DIGITS) if isfinite(value) else None
+    )
+    if given is None or given.half > ANSWER_RTOL * abs(later - value) / RELATIVE_STEP:
         return None
     query = Query("time_to_event", None, Reached(drawn.target, given))
     answer = KINDS[query.kind].answer(query, study)

@@ -99,8 +99,8 @@ def _replace_subject(clause: str, subject: str) -> str:
     return f"it{clause.removeprefix(subject)}" if subject else clause
 
 
-DRAWS = 3  # questions of one kind
-UNDERIVED = 8  # consecutive questions without a formula after which a scene is abandoned
+MAX_DRAWS = 3  # questions of one kind
+MAX_UNDERIVED = 8  # consecutive questions without a formula after which a scene is abandoned
 
 
 @mode
@@ -132,8 +132,8 @@ class Symbolic(QuestionMode):
         formulas = study.memoize("formulas", lambda: self.kinds & _formulas(study.mechanism))
         kinds = [name for name in names if name in formulas]
         refused = study.memoize("refused", set[Query])
-        for name in (name for name in kinds for _ in range(DRAWS)):
-            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < UNDERIVED else None
+        for name in (name for name in kinds for _ in range(MAX_DRAWS)):
+            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < MAX_UNDERIVED else None
             if question is not None and not suits(question.query, "", None):
                 continue
             if question is not None and _derived(question.query, study, words) is not None:

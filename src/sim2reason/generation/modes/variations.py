@@ -20,23 +20,29 @@ from sim2reason.generation.modes.problem_formula import (
 )
 from sim2reason.questions import KINDS, Query, SimulatedScene
 from sim2reason.questions.dependence import lengthen_strings
-from sim2reason.questions.study import EXACT_STEP_ERROR, SHORTEST, TIME_MARGIN
+from sim2reason.questions.study import EXACT_STEP_ERROR, MIN_VARIANT_FRACTION, TIME_MARGIN
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, FINEST
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES
 from sim2reason.solutions.algebra.expressions import Expression
 
 WAIT_FACTOR = 3.0  # factor on the time of an event within which it is awaited in variations
-LATEST = 4.0  # times that, after which the event is considered absent
+ABSENCE_FACTOR = 4.0  # times that, after which the event is considered absent
 LOOKED, EACH = 240, 2  # numbers at which signs of sums are evaluated; uses of each sign change
-WIDELY = (160, 40), (24, 24)  # numbers tried and answers found, at most; second pair: if the motion is integrated
-TRIES = 4  # draws per wanted variation, at most
-BEYOND_TURN = 0.02  # fraction of the way beyond the numbers at which a sum changes its sign
-SOONER = 0.4, 1.2  # factors on the first simulated time of orbits, and on the last one of other integrated motions
+MAX_WIDE_VARIATIONS = (
+    (160, 40),
+    (24, 24),
+)  # numbers tried and answers found, at most; second pair: if the motion is integrated
+MAX_DRAWS = 4  # draws per wanted variation, at most
+TURN_FACTOR = 0.02  # fraction of the way beyond the numbers at which a sum changes its sign
+TIME_FACTORS = (
+    0.4,
+    1.2,
+)  # factors on the first simulated time of orbits, and on the last one of other integrated motions
 STEEPEST, STRAIGHT = 89.0, 180.0  # degrees
-FARTHEST = 2.0  # times the largest number of a unit, by which signed numbers are shifted
+MAX_SHIFT = 2.0  # times the largest number of a unit, by which signed numbers are shifted
 
 
 @dataclass(frozen=True)
@@ -72,7 +78,7 @@ class Variations:
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield many problems with random numbers; fewer if the motion must be integrated, which is far slower."""
-        tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
+        tries, wanted = MAX_WIDE_VARIATIONS[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
@@ -105,13 +111,13 @@ class Variations:
         drawn = [*self._draw_around(here, rng, width, LOOKED)]
         turning = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
         for number, values in enumerate(drawn):
-            other = [n for n, at in enumerate(turning) if tries[n] < TRIES and at[number]]
+            other = [n for n, at in enumerate(turning) if tries[n] < MAX_DRAWS and at[number]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
             variations = [
                 self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other
             ]
             for n in other:
-                tries[n] += TRIES // EACH if any(variations) else 1
+                tries[n] += MAX_DRAWS // EACH if any(variations) else 1
             yield from (each for each in variations if each is not None)
         corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
         for values in dict.fromkeys(corner for corner in corners if corner is not None):
@@ -130,11 +136,11 @@ class Variations:
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Return numbers between the problem's own and `values` at which a sum has just changed its sign."""
         low, high = 0.0, 1.0
-        while high - low > BEYOND_TURN / 2.0:
+        while high - low > TURN_FACTOR / 2.0:
             middle = (low + high) / 2.0
             beyond = find_sign(held, self._in_formula_units(self._towards(values, middle))) != sign
             low, high = (low, middle) if beyond else (middle, high)
-        return self._towards(values, min(1.0, high + BEYOND_TURN))
+        return self._towards(values, min(1.0, high + TURN_FACTOR))
 
     def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
         """Return numbers at a fraction of the way from the problem's own to `values`, on a logarithmic scale."""
@@ -172,7 +178,7 @@ class Variations:
         for drawn in self._draw_around(here, rng, width, tries if may.any() else 0):
             values = np.array(drawn)
             signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
-            shifts = rng.uniform(0.0, FARTHEST) * np.array(sizes) * rng.uniform(-1.0, 1.0, len(may))
+            shifts = rng.uniform(0.0, MAX_SHIFT) * np.array(sizes) * rng.uniform(-1.0, 1.0, len(may))
             yield from self._moving((values * signs).tolist(), unanswered)
             yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
 
@@ -228,14 +234,14 @@ class Variations:
         assignments = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking(values), None
         error = (
-            FINEST if unanswered is None else EXACT_STEP_ERROR
+            DEFAULT_STEP_RTOL if unanswered is None else EXACT_STEP_ERROR
         )  # far away nothing is recorded: a formula holds or does not
         try:
             scene = self._roomy.having_all({symbol.path: value for symbol, value in assignments.items() if symbol.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
-            for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
+            for end in ends if unanswered is None or not self._waits(query) else (*ends, ABSENCE_FACTOR * ends[-1]):
                 seen = SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
                 outcome = answered(query, seen)
                 if outcome is not None:
@@ -271,13 +277,16 @@ class Variations:
 
     def _ends(self, query: Query) -> tuple[float, ...]:
         """Return the times to which the motion is simulated, s: a stated one, else multiples of the original time."""
-        here, minimum = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
+        here, minimum = (
+            KINDS[self.query.kind].time(self.query, self.study) or 0.0,
+            MIN_VARIANT_FRACTION * self.study.scene.horizon,
+        )
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
         if times and not self._waits(query):
             return (max(TIME_MARGIN * times[0], minimum),)
         comes = self._waits(query) or KINDS[query.kind].awaited
         mechanism = self.study.mechanism
-        sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
+        sooner = TIME_FACTORS if mechanism.attractions else TIME_FACTORS[-1:] if changing(mechanism) else ()
         factors = sooner if comes and WAIT_FACTOR * here > minimum else ()
         return tuple(max(factor * here, minimum) for factor in (*factors, WAIT_FACTOR))

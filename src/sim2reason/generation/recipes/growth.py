@@ -30,7 +30,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
 from sim2reason.text.prose.description import write_description, write_draft
 
-LEVEL = 1e-9  # of a direction, or m; smaller values are rounding errors
+DIRECTION_TOL = 1e-9  # of a direction, or m; smaller values are rounding errors
 
 
 def leads_below_floor(scene: Scene, joint: Joint) -> bool:
@@ -44,12 +44,12 @@ def leads_below_floor(scene: Scene, joint: Joint) -> bool:
 
 def _leaves_at_foot(scene: Scene, end: Stop) -> bool:
     """Return whether a string descends to a corner of its own entity and leaves it horizontally."""
-    return _climb(scene, end) < -LEVEL and abs(_steepness(scene, end)) < LEVEL
+    return _climb(scene, end) < -DIRECTION_TOL and abs(_steepness(scene, end)) < DIRECTION_TOL
 
 
 def _leaves_upwards(scene: Scene, end: Stop) -> bool:
     """Return whether a string ascends a slope, to a corner of its entity or away from it."""
-    return _climb(scene, end) > LEVEL or LEVEL < _steepness(scene, end) < 1.0 - LEVEL
+    return _climb(scene, end) > DIRECTION_TOL or DIRECTION_TOL < _steepness(scene, end) < 1.0 - DIRECTION_TOL
 
 
 def _climb(scene: Scene, end: Stop) -> float:
@@ -69,19 +69,21 @@ def _build_end_entity(scene: Scene, end: Stop) -> Builder:
     return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
 
 
-TRIES = 100
+MAX_SCENE_TRIES = 100
 LONGEST_SENTENCE = 40  # words
-ONWARD = 0.75  # probability that a string continues to another entity where it could end
-UPHILL = 0.7  # fraction of scenes with strings down a slope only beside one up it, so that weights oppose each other
-UNDER = 0.3  # probability that a string passes an entity on its way
+CONTINUE_PROBABILITY = 0.75  # probability that a string continues to another entity where it could end
+UPHILL_FRACTION = (
+    0.7  # fraction of scenes with strings down a slope only beside one up it, so that weights oppose each other
+)
+PASS_PROBABILITY = 0.3  # probability that a string passes an entity on its way
 LOAD_PROBABILITY = 0.75  # probability of an optional load
-COMPARABLE = 2.5  # largest mass ratio if pulleys have mass
-DISC = 0.75  # of the lightest block: smallest mass of a massive pulley
+MAX_MASS_RATIO = 2.5  # largest mass ratio if pulleys have mass
+MIN_DISC_MASS_RATIO = 0.75  # of the lightest block: smallest mass of a massive pulley
 CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # masses that are not much smaller than those of the carried bodies
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
 ROWS = ("blocks", "left_blocks")
-ROWED = 0.25  # fraction of eligible scenes with blocks in rows, which move as one
+ROW_FRACTION = 0.25  # fraction of eligible scenes with blocks in rows, which move as one
 HAND = "ConstantForcePuller"
 CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 
@@ -125,12 +127,12 @@ class Grower:
         if not self._chance(tier.rough):
             self.choices["friction"] = 0.0
         rows = [name for name in ROWS if self.choices.get(name) == Count(1, 2)]
-        if rows and not self._chance(ROWED):
+        if rows and not self._chance(ROW_FRACTION):
             self.choices |= dict.fromkeys(rows, Count(1, 1))
         self.entities: list[Named] = []
         self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
-        self.uphill = self._chance(UPHILL)
+        self.uphill = self._chance(UPHILL_FRACTION)
         self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
@@ -144,12 +146,12 @@ class Grower:
         weight = GRAVITY * lightest
         massive = self._chance(self.tier.massive)
         if massive:  # so that they count
-            heaviest = min(heaviest, float(f"{lightest * COMPARABLE:.2g}"))
+            heaviest = min(heaviest, float(f"{lightest * MAX_MASS_RATIO:.2g}"))
         return {
             "mass": Range(lightest, heaviest),
             **dict.fromkeys(CARRIERS, Range(float(f"{(lightest * heaviest) ** 0.5:.2g}"), heaviest)),
             "force": Range(float(f"{0.5 * weight:.2g}"), float(f"{self.tier.spread * weight:.2g}")),
-            **dict.fromkeys(PULLEYS, Range(float(f"{max(pulleys.low, DISC * lightest):.2g}"), lightest)),
+            **dict.fromkeys(PULLEYS, Range(float(f"{max(pulleys.low, MIN_DISC_MASS_RATIO * lightest):.2g}"), lightest)),
             **{f"{name}?": float(massive and lightest > pulleys.low) for name in PULLEYS},
         }
 
@@ -245,7 +247,7 @@ class Grower:
     def _between(self, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
         """Return the ports of new entities that a connection passes on its way."""
         passed = {name: weight for name, weight in self.tier.pool.items() if is_passed(name, kind)}
-        if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(UNDER)):
+        if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(PASS_PROBABILITY)):
             return []
         named = self._add(self._draw_one(passed))
         return [stop for stop in open_ports(named) if isinstance(stop.port, Pass)][:1]
@@ -254,7 +256,7 @@ class Grower:
         """Return the port at which a connection ends; on a fixed support only if something on the way can move."""
         pool = {name: w for name, w in self.tier.pool.items() if not is_passed(name, kind)}
         moving = any(isinstance(stop.port, Pass) for stop in (here, *path))
-        onward = not path or not moving or bool(self._missing()) or self._chance(ONWARD)
+        onward = not path or not moving or bool(self._missing()) or self._chance(CONTINUE_PROBABILITY)
         if pool and self.left > 0 and onward:
             for _ in range(3):
                 picked = self._pick()
@@ -284,8 +286,8 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
     Raises:
         SceneError: nothing that was drawn holds together and is short enough.
     """
-    refused = SceneError("recipe", f"no scene of {TRIES} can be told in {tier.words} words", "draw again")
-    for _ in range(TRIES):
+    refused = SceneError("recipe", f"no scene of {MAX_SCENE_TRIES} can be told in {tier.words} words", "draw again")
+    for _ in range(MAX_SCENE_TRIES):
         try:
             scene = Grower(tier, rng).scene()
         except SceneError as error:

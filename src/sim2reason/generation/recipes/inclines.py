@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.generation.recipes import recipe
 from sim2reason.generation.recipes.growth import Tier, grow
-from sim2reason.generation.recipes.ranges import NUMBERS, TWO, WORDS
+from sim2reason.generation.recipes.ranges import NUMBERS, SECOND_BODY_WORDS, WORDS
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.scene import Scene
@@ -27,7 +27,7 @@ INCLINE_TIERS = {
         spread=4.0,
         rough=0.5,
         more=0.3,
-        words=WORDS["easy"] + TWO,
+        words=WORDS["easy"] + SECOND_BODY_WORDS,
     ),
     "medium": Tier(
         Count(1, 2),
@@ -43,7 +43,7 @@ INCLINE_TIERS = {
         Count(2, 2), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.8, words=WORDS["hard"]
     ),
 }
-PULLED = 0.4  # fraction of easy scenes with two blocks pulled by a hand; otherwise they would slide as one
+PULLED_FRACTION = 0.4  # fraction of easy scenes with two blocks pulled by a hand; otherwise they would slide as one
 PAIR = replace(
     INCLINE_TIERS["easy"],
     choices={**NUMBERS["easy"], "system": ("OnPlane",), "blocks": Count(2, 2)},
@@ -66,7 +66,7 @@ INCLINE_WEIGHTS = {
 @recipe("incline", weights=INCLINE_WEIGHTS)
 def draw_incline(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One to three entities with faces, joined by strings."""
-    pulled = difficulty == "easy" and rng.random() < PULLED
+    pulled = difficulty == "easy" and rng.random() < PULLED_FRACTION
     return grow(PAIR if pulled else INCLINE_TIERS[difficulty], rng)
 
 

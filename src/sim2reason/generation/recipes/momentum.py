@@ -21,9 +21,9 @@ from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution, Tw
 
 APART = Range(0.5, 1.5)  # m, between two pucks at the start
 OFFSET = Range(0.3, 1.6)  # radii: distance between the centre of one puck and the path of the other's, at most
-GRAZING = 0.4  # radii: distance of the next puck's centre from the path of a struck puck, at most
+MAX_PATH_DISTANCE = 0.4  # radii: distance of the next puck's centre from the path of a struck puck, at most
 ALIKE = Range(0.6, 1.6)  # factor between the speeds of pucks on perpendicular paths
-ORIGIN = (0.0, 0.0)
+PLANE_ORIGIN = (0.0, 0.0)
 
 PlaneVector = tuple[float, float]
 
@@ -41,7 +41,7 @@ class CollisionTier:
     straight: float = 0.4  # of its scenes are on a straight track
 
 
-ELASTIC = 0.4  # fraction of scenes on a straight track with elastic collisions
+ELASTIC_FRACTION = 0.4  # fraction of scenes on a straight track with elastic collisions
 PARTIAL = Range(0.2, 0.8)  # coefficients of restitution clearly between zero and one
 PLAIN: Choices = {"angle?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 COLLISION_TIERS = {
@@ -97,7 +97,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks that collide off centre, or balls, carts and walls on a straight track."""
     tier = COLLISION_TIERS[difficulty]
     if rng.random() < tier.straight:
-        restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
+        restitution = 1.0 if rng.random() < ELASTIC_FRACTION else PARTIAL
         choices = {**tier.track, "ComplexCollisionPlane.restitution": restitution, "restitution": PARTIAL}
         return draw_idea((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")
     meeting = tier.meetings[int(rng.integers(len(tier.meetings)))]
@@ -127,7 +127,9 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
     return field.measure.draw(rng, interval.low, interval.high)
 
 
-def _puck(tier: CollisionTier, rng: np.random.Generator, position: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
+def _puck(
+    tier: CollisionTier, rng: np.random.Generator, position: PlaneVector, velocity: PlaneVector = PLANE_ORIGIN
+) -> Puck:
     """Return a puck of random mass."""
     x, y, vx, vy = (round_as_stated(Puck, name, part) for name, part in zip(PARTS, (*position, *velocity), strict=True))
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
@@ -145,7 +147,7 @@ def _draw_path_offset(radius: float, rng: np.random.Generator) -> float:
 def _draw_at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that moves along the x axis, and one at rest that it hits off centre."""
     position = (-2.0 * radius - _draw_uniform(APART, rng), _draw_path_offset(radius, rng))
-    return _puck(tier, rng, position, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
+    return _puck(tier, rng, position, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, PLANE_ORIGIN)
 
 
 def _head_on(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
@@ -154,7 +156,7 @@ def _head_on(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tu
         (2.0 * radius + _draw_uniform(APART, rng), _draw_path_offset(radius, rng)),
         (-_draw_uniform(tier.speed, rng), 0.0),
     )
-    return _puck(tier, rng, ORIGIN, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, position, toward)
+    return _puck(tier, rng, PLANE_ORIGIN, (_draw_uniform(tier.speed, rng), 0.0)), _puck(tier, rng, position, toward)
 
 
 def _crossing(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
@@ -172,7 +174,10 @@ def _in_turn(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tu
     first, second = _draw_at_rest(radius, tier, rng)
     across = -first.y / (2.0 * radius)
     along = sqrt(1.0 - across**2)
-    distance, beside = 2.0 * radius + _draw_uniform(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
+    distance, beside = (
+        2.0 * radius + _draw_uniform(APART, rng),
+        float(rng.uniform(-MAX_PATH_DISTANCE, MAX_PATH_DISTANCE)) * radius,
+    )
     position = (along * distance - across * beside, across * distance + along * beside)
     return first, second, _puck(tier, rng, position)
 

@@ -16,7 +16,7 @@ from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.scenes.entities.spring_blocks import SpringBlock, SpringMassIncline
 
 PENDULUM = "Pendulum"
-SLACKENS = 2.0, 5.0
+SLACKENING_RANGE = 2.0, 5.0
 """The squares of speeds at the lowest point, in units of gℓ, between which a string goes slack on the way up."""
 RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(20.0, 90.0)}
 SENT = {**RELEASED, "angle": Range(15.0, 60.0), "speed?": 1.0}
@@ -26,7 +26,7 @@ def _goes_slack(drawn: Pendulum) -> bool:
     """Return whether the string of a pendulum goes slack before the highest point of the circle."""
     rise = 1.0 - cos(radians(drawn.angle))
     square = (drawn.speed or 0.0) ** 2 / (GRAVITY * drawn.hanger.length) + 2.0 * rise
-    return SLACKENS[0] < square < SLACKENS[1]
+    return SLACKENING_RANGE[0] < square < SLACKENING_RANGE[1]
 
 
 PENDULUM_IDEAS = {
@@ -102,25 +102,25 @@ ROUGH_PLANE = {
     "mass": Range(0.5, 2.0),
     "friction": Range(0.25, 0.6),
 }
-STRAINED = 0.07  # of the natural length: smallest initial strain, for good conditioning
-DRIVEN = 0.25  # of the block's weight: smallest initial driving force; less soon leaves it at rest
-UNLIKE = 0.18  # smallest |tan θ − 1|, so that confusing sine and cosine changes the answer
-CLEARANCE = 0.08  # m, from a spring to the nail of another one
+MIN_STRAIN = 0.07  # of the natural length: smallest initial strain, for good conditioning
+MIN_DRIVING_FORCE = 0.25  # of the block's weight: smallest initial driving force; less soon leaves it at rest
+MIN_TANGENT_DEVIATION = 0.18  # smallest |tan θ − 1|, so that confusing sine and cosine changes the answer
+MIN_NAIL_CLEARANCE = 0.08  # m, from a spring to the nail of another one
 
 
 def _starts_well(entity: SpringMassIncline) -> bool:
     """Return whether the spring of a block on a rough plane is strained enough to set it in motion."""
     strain, angle = entity.start - entity.spring.length, radians(entity.plane.angle)
     pull = entity.spring.stiffness * strain / (GRAVITY * entity.block.mass) + sin(angle)  # down the slope
-    moves = abs(pull) - entity.plane.friction * cos(angle) >= DRIVEN
-    return moves and abs(strain) >= STRAINED * entity.spring.length and abs(tan(angle) - 1.0) >= UNLIKE
+    moves = abs(pull) - entity.plane.friction * cos(angle) >= MIN_DRIVING_FORCE
+    return moves and abs(strain) >= MIN_STRAIN * entity.spring.length and abs(tan(angle) - 1.0) >= MIN_TANGENT_DEVIATION
 
 
 def _springs_clear_nails(entity: SpringBlock) -> bool:
     """Return whether every spring is clear of the nails of the others."""
     block = complex(entity.x, entity.y)
     nails = [complex(spring.x, spring.y) - block for spring in entity.springs]
-    return all(_distance(other, nail) > CLEARANCE for nail, other in permutations(nails, 2))
+    return all(_distance(other, nail) > MIN_NAIL_CLEARANCE for nail, other in permutations(nails, 2))
 
 
 def _distance(point: complex, end: complex) -> float:

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.generation.recipes import recipe
 from sim2reason.generation.recipes.growth import Tier, grow
-from sim2reason.generation.recipes.ranges import NUMBERS, PRISM, SIZES, TWO, WORDS
+from sim2reason.generation.recipes.ranges import NUMBERS, PRISM_WORDS, SECOND_BODY_WORDS, SIZES, WORDS
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.scene import Scene
@@ -25,7 +25,7 @@ PULLEY_TIERS = {
         {**NUMBERS["easy"], **HANGING},
         spread=4.0,
         massive=0.25,
-        words=WORDS["easy"] + TWO + MOVABLE_WORDS,
+        words=WORDS["easy"] + SECOND_BODY_WORDS + MOVABLE_WORDS,
     ),
     "medium": Tier(
         Count(2, 3),
@@ -70,7 +70,7 @@ HYBRID_TIERS = {
         rough=0.8,
         massive=0.0,
         more=0.0,
-        words=WORDS["easy"] + TWO,
+        words=WORDS["easy"] + SECOND_BODY_WORDS,
     ),
     "medium": Tier(
         Count(2, 2),
@@ -79,7 +79,7 @@ HYBRID_TIERS = {
         spread=4.0,
         rough=0.3,
         more=0.0,
-        words=WORDS["medium"] + PRISM,
+        words=WORDS["medium"] + PRISM_WORDS,
     ),
     "hard": Tier(
         Count(2, 2),

@@ -51,7 +51,7 @@ def _moved(value: V, number: Parameter) -> Iterator[V]:
             continue
 
 
-REDRAWS = 200  # of scenes that do not fit an idea
+MAX_REDRAWS = 200  # of scenes that do not fit an idea
 
 
 @dataclass(frozen=True)
@@ -72,18 +72,18 @@ def draw_idea(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Sce
     """
     weights = np.array([idea.weight for idea in ideas])
     idea = ideas[int(rng.choice(len(ideas), p=weights / weights.sum()))]
-    for _ in range(REDRAWS):
+    for _ in range(MAX_REDRAWS):
         entity = draw(ENTITIES[idea.entity], rng, idea.choices)
         if idea.suits(entity):
             return Scene(entities=without_idle_fields((Named(name=name, entity=entity),), ()))
-    raise SceneError(idea.entity, f"none of {REDRAWS} draws suits what the recipe is about", "widen a range")
+    raise SceneError(idea.entity, f"none of {MAX_REDRAWS} draws suits what the recipe is about", "widen a range")
 
 
 WORDS: Mapping[Difficulty, int] = {"easy": 66, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
-PRISM = 25
+PRISM_WORDS = 25
 """Words more for scenes that else have no room for a prism."""
-TWO = 18
+SECOND_BODY_WORDS = 18
 """Words more for easy scenes that are always of two entities."""
 
 NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {

@@ -37,14 +37,16 @@ NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
 FAR = Range(0.2, 0.8)  # m, for small balls
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.5, RoundPiece: 0.2, CappedPiece: 0.05, TiltedPiece: 0.05, HoledPiece: 0.05, BarPiece: 0.15}
-SMALL = 0.7  # probability that a further piece is a small ball
-UNBALANCED = 0.3  # smallest |Σ m x| / Σ m |x|; arms near balance are ill-conditioned
-OWN = 0.175  # smallest fraction of the inertia from rotation of pieces about their own centres
-MOVED = 1.0 / OWN - 1.0  # largest ratio of the inertia from the distances of pieces to that about their own centres
-CLEAR = 0.02  # m, from the axle to the surface of a piece
-MANY = 3  # pieces, from which on the size of one may be irrelevant
-TRIES = 10  # draws of a single piece before all are drawn again
-DRAWS = 60 * TRIES
+SMALL_BALL_PROBABILITY = 0.7  # probability that a further piece is a small ball
+MIN_IMBALANCE = 0.3  # smallest |Σ m x| / Σ m |x|; arms near balance are ill-conditioned
+MIN_OWN_INERTIA = 0.175  # smallest fraction of the inertia from rotation of pieces about their own centres
+MOVED = (
+    1.0 / MIN_OWN_INERTIA - 1.0
+)  # largest ratio of the inertia from the distances of pieces to that about their own centres
+MIN_AXLE_CLEARANCE = 0.02  # m, from the axle to the surface of a piece
+MANY_PIECES = 3  # pieces, from which on the size of one may be irrelevant
+PIECE_TRIES = 10  # draws of a single piece before all are drawn again
+DRAWS = 60 * PIECE_TRIES
 
 
 @dataclass(frozen=True)
@@ -91,11 +93,15 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
     count, pieces = 0, list[WeldedPiece]()
     kinds, chances = [*SOLID], np.array([*SOLID.values()])
     for attempt in range(DRAWS):
-        if attempt % TRIES == 0:  # the first ones may have taken all the room
+        if attempt % PIECE_TRIES == 0:  # the first ones may have taken all the room
             count, pieces = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), []
-        kind = BallPiece if pieces and rng.random() < SMALL else kinds[int(rng.choice(len(kinds), p=chances))]
+        kind = (
+            BallPiece
+            if pieces and rng.random() < SMALL_BALL_PROBABILITY
+            else kinds[int(rng.choice(len(kinds), p=chances))]
+        )
         piece = _drawn_near(kind, rng, pieces)
-        if piece is not None and _fits(piece, pieces) and _bear([*pieces, piece], unmoved=count >= MANY):
+        if piece is not None and _fits(piece, pieces) and _bear([*pieces, piece], unmoved=count >= MANY_PIECES):
             pieces.append(piece)
         if len(pieces) == count and _is_unbalanced(pieces):
             return tuple(sorted(pieces, key=lambda piece: piece.place < 0.0))
@@ -134,7 +140,7 @@ def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
 
 def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
     """Return whether a piece clears the axle and overlaps no other piece."""
-    clear = min(map(abs, piece.span)) >= CLEAR
+    clear = min(map(abs, piece.span)) >= MIN_AXLE_CLEARANCE
     return clear and not holds_axle(piece) and all(are_clear(piece, other) for other in others)
 
 
@@ -163,7 +169,7 @@ def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
 
 def _is_unbalanced(pieces: Sequence[WeldedPiece]) -> bool:
     moments = [_share(piece).moment for piece in pieces]
-    return abs(sum(moments)) >= UNBALANCED * sum(map(abs, moments))
+    return abs(sum(moments)) >= MIN_IMBALANCE * sum(map(abs, moments))
 
 
 class _Share(NamedTuple):

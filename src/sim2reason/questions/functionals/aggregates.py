@@ -25,7 +25,7 @@ from sim2reason.simulation.trace import IMPACTS, Channel, Event, Trace, sorted_u
 
 ROUNDS, PIECES = 3, 64  # refinements of a maximum between neighbouring samples, and pieces per refinement
 PLATEAU_RTOL = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum
-TWIN = 1e-9  # of the interval: nearer samples are the two sides of an event, of which the later one counts
+EVENT_SIDE_RTOL = 1e-9  # of the interval: nearer samples are the two sides of an event, of which the later one counts
 END_MARGIN = 0.01  # of the value: least excess over the values at both ends of the interval
 
 
@@ -104,7 +104,7 @@ class Extreme(Functional):
         if not np.isfinite(heights).all():
             return None
         highest = float(heights.max())
-        distinct = np.append(np.diff(times) > TWIN * end, True)
+        distinct = np.append(np.diff(times) > EVENT_SIDE_RTOL * end, True)
         times, heights = times[distinct], heights[distinct]
         if len(times) < 3:
             return None
@@ -131,7 +131,7 @@ class Extreme(Functional):
         times, heights = times[within], heights[within]
         if not np.isfinite(heights).all():
             return None
-        distinct = np.append(np.diff(times) > TWIN * end, True)
+        distinct = np.append(np.diff(times) > EVENT_SIDE_RTOL * end, True)
         tops, _ = _tops(heights[distinct])
         top = self._highest(trace, name, times[distinct], tops)[1] if len(tops) else -inf
         return self.sign * max(float(heights.max()), top)
@@ -178,8 +178,8 @@ def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
     return peaks[reach >= highest - END_MARGIN * abs(highest)] + 1, highest
 
 
-POINTS = 6  # of Gaussian quadrature per interval: exact up to degree 11, without points at the ends
-_NODES, _WEIGHTS = leggauss(POINTS)
+QUADRATURE_POINTS = 6  # of Gaussian quadrature per interval: exact up to degree 11, without points at the ends
+_NODES, _WEIGHTS = leggauss(QUADRATURE_POINTS)
 
 
 def borders(trace: Trace, end: float) -> Array:
@@ -285,7 +285,7 @@ class Integral(Functional):
         return integral(trace, lambda state: self.rate(state, name), end, self.corners(trace, name))
 
 
-BALANCE = 1e-6  # relative: largest difference between equal impulses
+IMPULSE_BALANCE_RTOL = 1e-6  # relative: largest difference between equal impulses
 
 
 def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) -> list[Array]:

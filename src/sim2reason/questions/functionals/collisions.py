@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.aggregates import (
-    BALANCE,
+    IMPULSE_BALANCE_RTOL,
     EventCount,
     collision_phrases,
     collision_times,
@@ -76,7 +76,7 @@ class CollisionImpulse(Functional):
         """Return the impulse m|Δv| of the collision, N s; None if a third body takes part at the same instant."""
         one, other = (jumps(trace, lambda s, n=n: Momentum.evaluate(s, n), [end])[0] for n in members(name))
         size = float(np.linalg.norm(one))
-        return size if float(np.linalg.norm(one + other)) <= BALANCE * size else None
+        return size if float(np.linalg.norm(one + other)) <= IMPULSE_BALANCE_RTOL * size else None
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether both bodies are free, so that no string or axle takes part of the impulse."""

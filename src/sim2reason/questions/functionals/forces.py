@@ -160,7 +160,7 @@ class JerkLoss(Functional):
         return energies(mechanism)
 
 
-DIFFERS = 0.02  # of the final momentum: least difference of the impulse from it
+MIN_MOMENTUM_EXCESS = 0.02  # of the final momentum: least difference of the impulse from it
 
 
 @functional
@@ -187,7 +187,7 @@ class NetImpulse(Functional):
             return False
         change = self.value(study.trace, name, end) or 0.0
         sizes = [float(np.linalg.norm(_momentum(study.trace, name, time))) for time in (0.0, end)]
-        return all(abs(change - size) > DIFFERS * size for size in sizes)
+        return all(abs(change - size) > MIN_MOMENTUM_EXCESS * size for size in sizes)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channel of the body's momentum."""

@@ -216,7 +216,7 @@ class LeastOriginDistance(ExtremeCoordinate):
     phrase = "the least distance of {body} from the origin"
 
 
-UPRIGHT = 1e-3  # degrees: a line that comes closer to the vertical passes it
+VERTICAL_ANGLE = 1e-3  # degrees: a line that comes closer to the vertical passes it
 
 
 @functional
@@ -242,7 +242,7 @@ class LeastDeflection(Extreme):
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the least angle, in degrees; None if the line passes the vertical."""
         angle = Extreme.value(self, trace, name, end)
-        return angle if angle is not None and angle > UPRIGHT else None
+        return angle if angle is not None and angle > VERTICAL_ANGLE else None
 
 
 @functional

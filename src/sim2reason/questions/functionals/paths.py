@@ -56,7 +56,7 @@ def is_given_by_geometry(moment: Moment, words: Words) -> bool:
     return known or (words.released and isinstance(moment, Stopped))
 
 
-DIFFERS = 0.02  # of the angle: least excess over the net angle that is worth asking for
+MIN_ANGLE_EXCESS = 0.02  # of the angle: least excess over the net angle that is worth asking for
 
 
 @functional
@@ -86,7 +86,7 @@ class AngleSwept(Integral):
         """Return whether the body turns back, so that the total exceeds the net angle."""
         total = self.value(study.trace, name, end) or 0.0
         net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
-        return total - net > DIFFERS * total and super().worth(study, name, end)
+        return total - net > MIN_ANGLE_EXCESS * total and super().worth(study, name, end)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channel of the angular velocity."""
@@ -184,7 +184,7 @@ class DistanceTravelled(Integral):
             return False
         path = self.value(study.trace, name, end) or 0.0
         direct = float(np.linalg.norm(Displacement.evaluate(study.trace.at(end), name)[0]))
-        return path - direct > DIFFERS * path and super().worth(study, name, end)
+        return path - direct > MIN_ANGLE_EXCESS * path and super().worth(study, name, end)
 
 
 @functional

@@ -8,7 +8,7 @@ from math import log
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.accuracy import NEARLY, TOLERANCE
+from sim2reason.questions.accuracy import CLEAR_ERROR_FACTOR, TOLERANCE
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.nested import (
     NestedKind,
@@ -26,11 +26,11 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 
 GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
-OFTEN = (0.6, 0.25, 0.15)
+FACTOR_WEIGHTS = (0.6, 0.25, 0.15)
 RATIO = "the ratio of the new value to the original value of"
-RATIOS = 0.85  # of comparisons: the share that asks for a ratio, not a difference
+RATIO_SHARE = 0.85  # of comparisons: the share that asks for a ratio, not a difference
 MIN_RELATIVE_CHANGE = 0.1  # relative: least change of the answer
-POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
+SIMPLE_POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 """Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""
 
 
@@ -63,9 +63,9 @@ class ComparisonKind(NestedKind):
 
     def _compose_query(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a comparison whose answer no simple proportionality gives, with equal courses of events; else None."""
-        factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
+        factor = list(GERUNDS)[int(rng.choice(len(FACTOR_WEIGHTS), p=FACTOR_WEIGHTS))]
         query = ComparisonQuery(self.name, inner.target, inner.moment, without_target_and_moment(inner), path, factor)
-        query = replace(query, ratio=bool(rng.random() < RATIOS))
+        query = replace(query, ratio=bool(rng.random() < RATIO_SHARE))
         if not is_usual(study.scene, path, factor * float(study.scene.value(path))):
             return None
         other = query.changed(study)
@@ -240,5 +240,5 @@ def _event_course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
 
 def _is_guessed(ratio: float, factor: float) -> bool:
     """Return whether a ratio is nearly 1 or nearly a simple power of the factor, so that it is easily guessed."""
-    near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
+    near = any(abs(factor**power / ratio - 1.0) <= CLEAR_ERROR_FACTOR * TOLERANCE for power in SIMPLE_POWERS)
     return near or abs(log(ratio)) < MIN_RELATIVE_CHANGE

@@ -21,7 +21,7 @@ from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Channel
 
 WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
-START_TOLERANCE = 1e-6  # m or rad
+START_POSITION_TOL = 1e-6  # m or rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class EquilibriumKind(Kind):
         if not _worth(mechanism):
             return None
         rest = equilibrium(mechanism)
-        if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= START_TOLERANCE:
+        if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= START_POSITION_TOL:
             return None
         start, there = study.trace.at(0.0), rest.state
         weights = [body.mass * float(np.linalg.norm(mechanism.gravity)) for body in mechanism.bodies]

@@ -21,12 +21,12 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import Certificate
 
-RATIO = 10.0
-TIMES = tuple(3e2 * RATIO**turn for turn in range(3))
+MASS_RATIO = 10.0
+TIMES = tuple(3e2 * MASS_RATIO**turn for turn in range(3))
 """Of the largest mass, or parts of the smallest: where the answer is looked at. No mass may be a million kilograms."""
-NEARER = 1e3  # factor on the mass for the second engine
+WITNESS_MASS_FACTOR = 1e3  # factor on the mass for the second engine
 MIN_RELATIVE_CHANGE = 0.1  # relative: least difference between the limit and the answer with the actual mass
-SETTLED = 1e-2  # relative: largest change of the answer between the last two masses
+MAX_FINAL_CHANGE = 1e-2  # relative: largest change of the answer between the last two masses
 WITNESS_RTOL = 0.02  # relative: largest distance from the limit in the second engine
 MASS = "kg"
 
@@ -102,7 +102,7 @@ class LimitKind(NestedKind):
     def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why a motion with an answer close to the limit is not certified; empty if it is."""
         assert isinstance(query, LimitQuery)
-        inner, (near,) = query.inner, query.extremes(study, (NEARER,))
+        inner, (near,) = query.inner, query.extremes(study, (WITNESS_MASS_FACTOR,))
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
         limit, close = _limit(query, study), usable_answer(inner, near)
         if reason or limit is None or close is None or near is None:
@@ -154,10 +154,10 @@ def _limit(query: LimitQuery, study: SimulatedScene) -> float | None:
     """Return the limit, extrapolated by a parabola in the inverse mass, or in the mass."""
     answers = [usable_answer(query.inner, other, loosely=True) for other in query.extremes(study)]
     known = [answer for answer in answers if answer is not None]
-    if len(known) < len(TIMES) or abs(known[-1] - known[-2]) > SETTLED * abs(known[-1]):
+    if len(known) < len(TIMES) or abs(known[-1] - known[-2]) > MAX_FINAL_CHANGE * abs(known[-1]):
         return None
-    lines = [far + (far - near) / (RATIO - 1.0) for near, far in pairwise(known)]
-    return lines[1] + (lines[1] - lines[0]) / (RATIO**2 - 1.0)
+    lines = [far + (far - near) / (MASS_RATIO - 1.0) for near, far in pairwise(known)]
+    return lines[1] + (lines[1] - lines[0]) / (MASS_RATIO**2 - 1.0)
 
 
 def _event_course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:

@@ -14,7 +14,7 @@ from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.study import SHORTEST, TIME_MARGIN, SimulatedScene
+from sim2reason.questions.study import MIN_VARIANT_FRACTION, TIME_MARGIN, SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate, certify_trace
 from sim2reason.simulation.quantities import QUANTITIES
@@ -22,10 +22,10 @@ from sim2reason.simulation.trace import Channel
 
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""
-SAMPLES = 41  # instants of a motion that the second engine simulates
-DRAWS = 2  # drawn inner questions
+WITNESS_SAMPLES = 41  # instants of a motion that the second engine simulates
+MAX_INNER_DRAWS = 2  # drawn inner questions
 AWKWARD = "the magnitude of the change"  # the prefix of a noun phrase of which no change is asked for
-NUMBERS = 3  # numbers tried with each inner question
+MAX_NUMBERS = 3  # numbers tried with each inner question
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,10 +73,10 @@ class NestedKind(Kind):
         shares = np.array([KINDS[name].share for name in self.inner])
         kinds: list[int] = rng.choice(len(shares), len(shares), replace=False, p=shares / shares.sum()).tolist()
         drawn = (KINDS[self.inner[number]].draw(study, words, targets, rng) for number in kinds)
-        for inner in islice((query for query in drawn if query is not None and _is_natural(query)), DRAWS):
+        for inner in islice((query for query in drawn if query is not None and _is_natural(query)), MAX_INNER_DRAWS):
             if not self._is_named(inner, words, targets):
                 continue
-            for path in islice(self._draw_number_paths(study, words, rng), NUMBERS):
+            for path in islice(self._draw_number_paths(study, words, rng), MAX_NUMBERS):
                 query = self._compose_query(inner, path, study, rng)
                 if query is not None:
                     return query
@@ -154,9 +154,9 @@ def usable_answer(inner: Query, study: SimulatedScene | None, *, loosely: bool =
 
 def variant_certification_gap(inner: Query, other: SimulatedScene) -> str:
     """Return why the answer to a query in a newly simulated motion is not certified; empty if it is."""
-    kind, shortest = KINDS[inner.kind], SHORTEST * other.scene.horizon
+    kind, shortest = KINDS[inner.kind], MIN_VARIANT_FRACTION * other.scene.horizon
     until = max(TIME_MARGIN * (kind.time(inner, other) or 0.0), shortest)
-    seen, certificate = certify_trace(SimulatedScene.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
+    seen, certificate = certify_trace(SimulatedScene.of(other.scene, np.linspace(0.0, until, WITNESS_SAMPLES)).trace)
     return kind.doubt(inner, SimulatedScene(other.scene, seen), certificate)
 
 
@@ -180,7 +180,7 @@ def is_plain(inner: Query) -> bool:
 
 OR = " or "
 """Separator of the two subjects or moments in a structured question for one of them."""
-CLEARLY = 0.1  # relative: least difference between the two values
+MIN_RELATIVE_DIFFERENCE = 0.1  # relative: least difference between the two values
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,7 +265,11 @@ class WhichKind(Kind):
     def worth(self, query: WhichQuery, study: SimulatedScene, words: Words) -> WhichQuery | None:
         """Return the oriented query; None if the values hardly differ or the text cannot tell the candidates apart."""
         first, second = (usable_answer(each, study) for each in query.both)
-        if first is None or second is None or not abs(first - second) > CLEARLY * max(abs(first), abs(second)):
+        if (
+            first is None
+            or second is None
+            or not abs(first - second) > MIN_RELATIVE_DIFFERENCE * max(abs(first), abs(second))
+        ):
             return None
         answer = self.answer(query, study)
         if answer is None or not isfinite(answer) or self.names(query, words) is None:

@@ -6,7 +6,7 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.dependence import FEW, AnswerFunction, ExtremeSearch, StationaryValue
+from sim2reason.questions.dependence import FIRST_PASS_VALUES, AnswerFunction, ExtremeSearch, StationaryValue
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.nested import (
     NestedKind,
@@ -22,18 +22,18 @@ from sim2reason.questions.study import COARSE_STEP_ERROR, SimulatedScene, change
 from sim2reason.questions.unknown import Unknown, draw_unknowns, is_usual, range_of
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.trace import FINEST, Channel
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, Channel
 
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
-CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
+MAX_EXAMINED_PAIRS = 2  # candidate pairs of a question and a number that are examined closely
 ARGUMENT_SHARE = 0.6  # of questions for an optimum: the share that asks for the number, not the extreme answer
 MIN_RELATIVE_CHANGE = (
     0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
 )
-STRIDE = 6  # stride through the points of a range
-ASIDE = 0.15  # relative: distance on either side at which the second engine is compared
+RANGE_STRIDE = 6  # stride through the points of a range
+WITNESS_RELATIVE_DISTANCE = 0.15  # relative: distance on either side at which the second engine is compared
 WITNESS_RTOL = 2e-3  # relative: least difference of the answers there, so that the engines can resolve it
-RIGHT = 90.0  # degrees: a trivial optimum
+RIGHT_ANGLE_DEGREES = 90.0  # degrees: a trivial optimum
 EXTREME_WORDS = {True: ("greatest", "as large"), False: ("least", "as small")}
 EXTREMES = "greatest", "least"  # words that a noun phrase must not contain to ask for its extreme
 
@@ -54,7 +54,7 @@ class OptimumQuery(NestedQuery):
 
     def extreme(self, study: SimulatedScene) -> StationaryValue | None:
         """Return the extreme in a scene, searched near a known one or over the usual range; None if there is none."""
-        error = study.trace.tolerance or FINEST
+        error = study.trace.tolerance or DEFAULT_STEP_RTOL
         return study.memoize(
             ("extreme", self.inner, self.path, self.greatest, self.about), lambda: self._found(study, error)
         )
@@ -92,7 +92,7 @@ class OptimumKind(NestedKind):
         paths = list(self._draw_number_paths(study, words, rng)) if inners else []
         pairs = [(inner, path) for path in paths for inner in inners if _turns(inner, path, study)]
         order: list[int] = rng.permutation(len(pairs)).tolist()
-        queries = (self._compose_query(*pairs[number], study, rng) for number in order[:CLOSELY])
+        queries = (self._compose_query(*pairs[number], study, rng) for number in order[:MAX_EXAMINED_PAIRS])
         return next((query for query in queries if query is not None), None)
 
     def _drawn(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
@@ -119,13 +119,16 @@ class OptimumKind(NestedKind):
         answers = AnswerFunction(inner, study, path, COARSE_STEP_ERROR)
         rough = ExtremeSearch(answers).among(values) if len(values) > 2 else None
         unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
-        right = unit == "deg" and rough is not None and abs(rough.argument - RIGHT) < 1.0
+        right = unit == "deg" and rough is not None and abs(rough.argument - RIGHT_ANGLE_DEGREES) < 1.0
         if rough is None or right or not is_usual(study.scene, path, rough.argument) or rough.value <= _least(inner):
             return None
         ends = [answers(values[0]), answers(values[-1])]
         if any(end is None or not _is_clear(rough, end) for end in ends):
             return None
-        sides = [answers.course(rough.argument * (1.0 + side)) for side in (-ASIDE, 0.0, ASIDE)]
+        sides = [
+            answers.course(rough.argument * (1.0 + side))
+            for side in (-WITNESS_RELATIVE_DISTANCE, 0.0, WITNESS_RELATIVE_DISTANCE)
+        ]
         if None in sides or sides[0] != sides[1] or sides[1] != sides[2]:
             return None
         query = OptimumQuery(
@@ -174,11 +177,11 @@ class OptimumKind(NestedKind):
         if extreme is None:
             return "there is no extreme"
         answers = AnswerFunction(query.inner, study, query.path, COARSE_STEP_ERROR)
-        values = range_of(study.scene, query.path)[::STRIDE]
+        values = range_of(study.scene, query.path)[::RANGE_STRIDE]
         seen = [answer for value in values if (answer := answers(value)) is not None]
         if any((answer > extreme.value) is query.greatest and answer != extreme.value for answer in seen):
             return "elsewhere the answer is beyond the extreme"
-        for side in (-ASIDE, 0.0, ASIDE):
+        for side in (-WITNESS_RELATIVE_DISTANCE, 0.0, WITNESS_RELATIVE_DISTANCE):
             value = answers(extreme.argument * (1.0 + side))
             if value is None or (side and abs(value / extreme.value - 1.0) < WITNESS_RTOL):
                 return "the extreme is too flat to be told"
@@ -246,10 +249,10 @@ class OptimumKind(NestedKind):
 def _turns(inner: Query, path: str, study: SimulatedScene) -> bool:
     """Return whether an answer has one interior extreme over a few values of a number."""
     values = usual_values(study, path)
-    if len(values) < FEW:
+    if len(values) < FIRST_PASS_VALUES:
         return False
     answers, courses = list[float](), set[tuple[float, ...]]()
-    for value in (values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)):
+    for value in (values[n * (len(values) - 1) // (FIRST_PASS_VALUES - 1)] for n in range(FIRST_PASS_VALUES)):
         other = study.with_values({path: value})
         answer = usable_answer(inner, other, loosely=True)
         if other is None or answer is None:

@@ -30,7 +30,7 @@ MEASURES = {
 PENDULUM = "equivalent pendulum length"
 PEOPLE = {PENDULUM: Measured("length of a simple pendulum of the same period", "m", least=1e-3)}
 """Measures that recipes never ask for: the length of the simple pendulum whose small swings have the same period."""
-OFTEN = (0.6, 0.25, 0.15)
+MEASURE_WEIGHTS = (0.6, 0.25, 0.15)
 EVEN = 0.5
 MAX_MODES = 3  # modes: with more, no frequency can be found on paper
 MIN_MODE_SEPARATION = 0.05  # relative: least difference between distinguishable modes
@@ -203,7 +203,7 @@ def _modes(mechanism: Mechanism) -> Oscillations | None:
 
 def _measure(words: Words, rng: np.random.Generator, count: int = 3) -> str:
     """Return *period*, *frequency* or another measure at random, by weight; always *period* if times are in years."""
-    names, shares = list(MEASURES)[:count], np.array(OFTEN[:count])
+    names, shares = list(MEASURES)[:count], np.array(MEASURE_WEIGHTS[:count])
     return str(rng.choice(names, p=shares / shares.sum())) if words.units.time == "s" else "period"
 
 

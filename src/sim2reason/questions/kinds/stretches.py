@@ -26,9 +26,9 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import Certificate
 
 ADVERBS = ("in all", "altogether")  # adverbs that can only end a sentence
-ENDS = 3  # ends of intervals tried for each functional
+MAX_INTERVAL_ENDS = 3  # ends of intervals tried for each functional
 MAX_FUNCTIONALS = 5  # functionals tried in one draw
-EVENTS = 3  # classes of events used as ends of intervals in one draw
+MAX_EVENT_CLASSES = 3  # classes of events used as ends of intervals in one draw
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class StretchKind(Kind):
             if rng.random() > functional.weight:  # what is seldom asked is so where little else is offered, too
                 continue
             ends, these = tee(ends)  # no end is looked for before it is needed
-            for moment in islice(_fitting(these, functional, words, name), ENDS):
+            for moment in islice(_fitting(these, functional, words, name), MAX_INTERVAL_ENDS):
                 query = StretchQuery(self.name, None, moment, functional.name, name)
                 if self._is_worth_asking(query, study):
                     return query
@@ -239,7 +239,7 @@ def _ends(study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iter
     order: list[int] = rng.permutation(len(classes)).tolist()
     for cls in sorted((classes[number] for number in order), key=_rank):
         happens = issubclass(cls, Happening)
-        if happens and events == EVENTS:
+        if happens and events == MAX_EVENT_CLASSES:
             continue
         here = cls.found(study, words, rng)
         if here:

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.accuracy import NEARLY, TOLERANCE
+from sim2reason.questions.accuracy import CLEAR_ERROR_FACTOR, TOLERANCE
 from sim2reason.questions.inversion import ThresholdSearch
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
@@ -18,12 +18,14 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import draw_unknowns, is_usual
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
-from sim2reason.simulation.trace import FINEST, Channel
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, Channel
 
-SEARCH_RTOL = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
+SEARCH_RTOL = (
+    CLEAR_ERROR_FACTOR * TOLERANCE
+)  # relative: search distance from the known threshold in a changed mechanism
 WRONG_ANSWER_FACTOR = 4.0  # factor: search distance for an incorrect answer
 PUNCTUATION_BY_VERB = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
-SIDE = 5e-3  # relative: distance on either side at which the second engine is compared
+WITNESS_RELATIVE_DISTANCE = 5e-3  # relative: distance on either side at which the second engine is compared
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +101,7 @@ class ThresholdKind(Kind):
         """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; else None."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
-        error = study.trace.tolerance or FINEST
+        error = study.trace.tolerance or DEFAULT_STEP_RTOL
         if query.about and trial.changes_at(query.about, above=above, error=error):
             return query.about
         return trial.rough_change(above=above, error=error)
@@ -146,7 +148,7 @@ class ThresholdKind(Kind):
         first, second = query.trial(study), ThresholdSearch(study, query.outcome, query.parameter, WITNESS)
         if not first.changes_only_at(query.about):
             return "the outcome changes at other values too"
-        sides = (query.about * (1.0 - SIDE), query.about * (1.0 + SIDE))
+        sides = (query.about * (1.0 - WITNESS_RELATIVE_DISTANCE), query.about * (1.0 + WITNESS_RELATIVE_DISTANCE))
         agreed = all(first(side) is not None and first(side) == second(side) for side in sides)
         return "" if agreed else "the engines disagree on what happens next to the threshold"
 
@@ -187,7 +189,7 @@ class ThresholdKind(Kind):
         unit = next(unknown.unit for unknown in words.unknowns if unknown.path == asked.find)
         trial = _shared_trial(study, outcome, asked.find)
         critical = trial.change() or 0.0
-        below = trial(critical * (1.0 - SIDE)) is True
+        below = trial(critical * (1.0 - WITNESS_RELATIVE_DISTANCE)) is True
         return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
 
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
@@ -210,7 +212,7 @@ def _usual_change(study: SimulatedScene, outcome: PossibleOutcome, path: str) ->
     critical = trial.usual_change()
     if critical is None or not is_usual(study.scene, path, critical):
         return None
-    return critical, trial(critical * (1.0 + SIDE))
+    return critical, trial(critical * (1.0 + WITNESS_RELATIVE_DISTANCE))
 
 
 def _extreme(extreme: str, phrase: str) -> str:

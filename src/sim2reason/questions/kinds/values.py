@@ -54,7 +54,7 @@ class EventKind(ValueKind):
         return Query(self.name, target, moment) if target is not None else None
 
 
-FEW = 2  # greatest number of forces besides weight that act on a single point mass
+MAX_POINT_FORCES = 2  # greatest number of forces besides weight that act on a single point mass
 
 
 @kind
@@ -94,7 +94,7 @@ def _one_line(mechanism: Mechanism) -> bool:
     massive = [body for body in mechanism.bodies if body.mass and not (body.parent is None and not body.coordinates)]
     alone = len(massive) == 1 and not any(massive[0].inertia) and not mechanism.contacts
     acting = (*mechanism.lines, *mechanism.forces, *mechanism.attractions)
-    return only_falls(mechanism) or (alone and len(acting) <= FEW)
+    return only_falls(mechanism) or (alone and len(acting) <= MAX_POINT_FORCES)
 
 
 def _speeds_idle(mechanism: Mechanism) -> bool:

@@ -16,8 +16,8 @@ from sim2reason.questions.words import Words
 
 TIME_KIND = "time_to_event"
 FIRST, AGAIN = "first ", " for the first time"
-PAIRS = 4  # pairs examined in one draw
-PROPORTION = 1e-6  # relative: a smaller difference of speed ratios is rounding
+MAX_PAIRS = 4  # pairs examined in one draw
+SPEED_RATIO_RTOL = 1e-6  # relative: a smaller difference of speed ratios is rounding
 MAX_OTHER_EVENTS = 3  # further events examined in one draw
 
 
@@ -45,7 +45,7 @@ class WhichFirstKind(WhichKind):
             0 if moment.stated or _moves_as_one(study) else MAX_OTHER_EVENTS
         )  # else what happens first is a matter of places
         further = (draw_moment(_event_classes(), study, words, rng, wanted) for _ in range(draws))
-        others = [*_shuffled(same, rng)[:PAIRS], *(other for other in further if other and not other.stated)]
+        others = [*_shuffled(same, rng)[:MAX_PAIRS], *(other for other in further if other and not other.stated)]
         for other in others:
             if set(moment.subjects).isdisjoint(other.subjects) and study.time(other) is not None:
                 query = self.worth(_query(moment, other), study, words)
@@ -123,7 +123,9 @@ class WhichFirstKind(WhichKind):
 
 def _moves_as_one(study: SimulatedScene) -> bool:
     """Return whether all speeds keep constant ratios, as in a motion with one degree of freedom."""
-    return study.memoize("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
+    return study.memoize(
+        "moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=SPEED_RATIO_RTOL)) < 2
+    )
 
 
 def _query(first: Moment, second: Moment) -> WhichQuery:

@@ -21,7 +21,7 @@ INNER = ("state", "event", "start")
 PROPERTY_PREDICATES = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
 """Comparative phrases for the subject with the greater value of a quantity, where English has one."""
 MIN_RATIO = 1.1  # ratio: smaller ones are not worth asking for
-GREATEST = 30.0  # ratio: larger ones are not worth asking for
+MAX_RATIO = 30.0  # ratio: larger ones are not worth asking for
 MAGNITUDE = "magnitude of the "
 
 
@@ -65,7 +65,7 @@ class WhichGreaterKind(WhichKind):
 
     def number(self, less: float, greater: float) -> float | None:
         """Return the ratio of the greater value to the smaller one."""
-        return greater / less if less > 0.0 and greater < GREATEST * less else None
+        return greater / less if less > 0.0 and greater < MAX_RATIO * less else None
 
     def measured(self, query: Query) -> Measured:
         """Return the quantity, unit and least value of the answer: a ratio, without unit, of at least 1.1."""

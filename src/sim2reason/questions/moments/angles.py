@@ -75,8 +75,8 @@ class Deflected(Threshold):
         return Clause(self.subject(words), "does", f"first make {angle}", f"first makes {angle}")
 
 
-ALL_ROUND = 360
-ORBIT_ANGLES = (90, 180, ALL_ROUND)  # degrees
+FULL_TURN_DEGREES = 360
+ORBIT_ANGLES = (90, 180, FULL_TURN_DEGREES)  # degrees
 
 
 @MOMENTS.register("orbited")
@@ -90,7 +90,7 @@ class Orbited(Passage):
     pronoun = ""
     verb = Verb("has completed one orbit", "completed one orbit", "has")
 
-    degrees: int = ALL_ROUND
+    degrees: int = FULL_TURN_DEGREES
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -126,7 +126,7 @@ class Orbited(Passage):
     @property
     def requires_return(self) -> bool:
         """Return whether the angle is a full turn, which a body on a hyperbola never completes."""
-        return self.degrees == ALL_ROUND
+        return self.degrees == FULL_TURN_DEGREES
 
     def ends(self, words: Words) -> tuple[str, str]:
         """Return the phrases for the fixed body and the orbiting body."""
@@ -150,18 +150,20 @@ class Orbited(Passage):
         now, began, rate = self._arm(state)
         spin = np.cross(began, rate)
         sine = np.cross(began, now) @ spin
-        return {90: -(now @ began), 180: -sine, ALL_ROUND: sine}[self.degrees]
+        return {90: -(now @ began), 180: -sine, FULL_TURN_DEGREES: sine}[self.degrees]
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """Return the phrases for the moment, such as *when planet A has completed one orbit*."""
         center, planet = self.ends(words)
-        done = f"{planet} {self.verb.told}" if self.degrees == ALL_ROUND else self._swept(center, planet, "has ")
+        done = (
+            f"{planet} {self.verb.told}" if self.degrees == FULL_TURN_DEGREES else self._swept(center, planet, "has ")
+        )
         return when_phrases(done)
 
     def clause(self, words: Words) -> Clause | None:
         """Return the clause, such as *planet A has completed one orbit*."""
         center, planet = self.ends(words)
-        if self.degrees == ALL_ROUND:
+        if self.degrees == FULL_TURN_DEGREES:
             return Clause(planet, "has", self.verb.asked, self.verb.told, "to complete one orbit")
         participle = f"turned through {self.degrees}°"
         return Clause(
@@ -176,7 +178,7 @@ class Orbited(Passage):
         return f"the line from {center} to {planet} {auxiliary}turned through {self.degrees}°"
 
 
-MAX_TURN = 330.0  # degrees
+MAX_TURN_DEGREES = 330.0  # degrees
 
 
 @MOMENTS.register("turned_through")
@@ -200,7 +202,7 @@ class TurnedThrough(Threshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return a random angle below the greatest one, degrees, a multiple of 5 (10 from 100 on); None without one."""
         reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
-        angle = rounded_as_written(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MAX_TURN) / 5.0)))
+        angle = rounded_as_written(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MAX_TURN_DEGREES) / 5.0)))
         return angle if angle < reached else None
 
     @property

@@ -118,7 +118,7 @@ class Peak(Passage):
         return first[0] if first[1] >= greatest - EXTREME_RTOL * (greatest - smallest) else None
 
 
-CIRCLE = 1e-2  # relative: an orbit whose distance varies by less is a circle without apsides
+CIRCULAR_ORBIT_RTOL = 1e-2  # relative: an orbit whose distance varies by less is a circle without apsides
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +171,7 @@ class Apsis(Peak):
     def time(self, trace: Trace) -> float | None:
         """Return the time of the turning point, s; None for a circular orbit."""
         far = DistanceBetween.evaluate(trace.scan, self.name)
-        round_it_goes = float(far.max() - far.min()) <= CIRCLE * float(far.max())
+        round_it_goes = float(far.max() - far.min()) <= CIRCULAR_ORBIT_RTOL * float(far.max())
         return None if round_it_goes else Peak.time(self, trace)
 
 

@@ -131,7 +131,7 @@ class VelocityReturned(FieldPassage):
         return (Velocity.evaluate(state, self.name) - velocity) @ acceleration
 
 
-ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
+TURN_ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
 MAX_TURN_ANGLE = 180.0  # degrees: larger turns are ambiguous
 
 
@@ -158,7 +158,7 @@ class VelocityTurned(FieldPassage, Threshold):
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return a random usual angle that the velocity reaches, degrees; None if there is none."""
-        met = [angle for angle in ANGLES if cls(name, angle).time(trace) is not None]
+        met = [angle for angle in TURN_ANGLES if cls(name, angle).time(trace) is not None]
         return met[int(rng.integers(len(met)))] if met else None
 
     @property

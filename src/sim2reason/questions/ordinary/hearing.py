@@ -23,7 +23,7 @@ from sim2reason.questions.words import DIGITS_PATTERN, Words
 from sim2reason.simulation.quantities import QUANTITIES as REGISTERED
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, ancestor_chain
 
-LONGEST = 400  # characters of a question
+MAX_QUESTION_LENGTH = 400  # characters of a question
 ALL_WORD = "all"  # the word for several subjects together
 _NUMBER = re.compile(
     rf"(?<![\w.#@])({DIGITS_PATTERN}(?:\.{DIGITS_PATTERN})?(?:[eE][+-]?\d{{1,2}})?)"
@@ -104,7 +104,7 @@ class TokenizedSentence:
 
 def tokenize(sentence: str, words: Words) -> TokenizedSentence:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
-    if len(sentence) > LONGEST:
+    if len(sentence) > MAX_QUESTION_LENGTH:
         return TokenizedSentence("", (), ())
     sentence = _HALF.sub(r"\1 0.5 \2", _AND_HALF.sub(_and_half, sentence))
     text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")

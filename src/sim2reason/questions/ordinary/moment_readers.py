@@ -36,7 +36,7 @@ UP_WAY, DOWN_WAY = "up", "down"
 _SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
 _LENGTH = re.compile(r" (?:m|km|cm|mm|au)$")
 _FROM_START = re.compile(rf"(?:\bis|\bare|\bbe|@)(?: first| again)? #\d+# (?:away )?from (?:{HOME})")
-LAST = 10  # the rank of a meaning that counts only if all other meanings fail in the scene
+LAST_RANK = 10  # the rank of a meaning that counts only if all other meanings fail in the scene
 Reader = Callable[[re.Match[str], TokenizedSentence, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
 
@@ -56,7 +56,7 @@ def subject_moment_reader(name: str, side: str = "") -> Reader:
         yield When(" ".join(filter(None, (number, who, name))), side or asked)
         if name == "stopped":  # what rides on something comes to rest where that is at rest, too
             moment = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
-            yield When(moment, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
+            yield When(moment, side or asked, ((who, CARRIED_AT_REST),), rank=LAST_RANK)
             yield When(LONG, side or asked, ((who, DIES_AWAY),))
 
     return read
@@ -68,7 +68,7 @@ def turned_back(name: str, presumption: str) -> Reader:
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         who = subject_of(found, heard, subject)
         yield When(f"{who} {name}", asked)
-        yield When(f"{who} stopped", asked, ((who, presumption),), rank=LAST)
+        yield When(f"{who} stopped", asked, ((who, presumption),), rank=LAST_RANK)
 
     return read
 
@@ -150,14 +150,14 @@ def read_joint_motion(
     yield When("stopped slipping", BEFORE if requested_side == BEFORE else AFTER)
     both = _both(subject_of(match, sentence, subject), sentence)
     if both:
-        yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", requested_side, rank=LAST)
+        yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", requested_side, rank=LAST_RANK)
 
 
 def with_last_rank(reader: Reader) -> Reader:
     """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
-        yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
+        yield from (replace(when, rank=when.rank + LAST_RANK) for when in reader(found, heard, subject, asked))
 
     return read
 
@@ -178,14 +178,14 @@ def read_displacement(match: re.Match[str], sentence: TokenizedSentence, subject
         yield When(f"{who} moved {number}", side, ways)
         if _FROM_START.search(sentence.text) is not None:  # where it may be after it has turned back, too
             yield When(f"displacement of {who} = {number}", side, ways)
-        yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
+        yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST_RANK)
         along = _SLOPING.search(match[0]) is not None  # then it is no height
         for sign in (
             "-" if direction == DOWN_WAY else ""
             for _, direction in ways
             if direction in (UP_WAY, DOWN_WAY) and not along
         ):
-            yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
+            yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST_RANK)
 
 
 def read_path_length(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
@@ -280,7 +280,7 @@ def read_turn(match: re.Match[str], sentence: TokenizedSentence, subject: str, s
     value, _, unit = number.partition(" ")
     if unit in ("°", "rad"):  # of what rolls
         turns = float(value) / (360.0 if unit == "°" else tau)
-        yield When(f"revolutions made of {who} = {turns:.15g}", side, rank=LAST)
+        yield When(f"revolutions made of {who} = {turns:.15g}", side, rank=LAST_RANK)
 
 
 def apsis_reader(name: str) -> Reader:

@@ -41,7 +41,7 @@ _PARTS = "(?:part|section|piece|segment|portion|side)"
 _PART = rf"(?:{_PARTS} of (?:the )?)?"
 _DIRECTION_COMPONENTS = {"vertical|hanging|upright": 1.0, "horizontal|level": 0.0}
 _COUNTED = "first", "second", "third", "fourth"
-UPRIGHT = 1e-6
+VERTICAL_TOL = 1e-6
 
 
 class NamedLine(NamedTuple):
@@ -186,7 +186,9 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
         return
     tilts = {each.name: _tilt(each, words) for each in lines}
     for adjective, tilt in _DIRECTION_COMPONENTS.items():
-        alone = [name for name, line_tilt in tilts.items() if line_tilt is not None and abs(line_tilt - tilt) < UPRIGHT]
+        alone = [
+            name for name, line_tilt in tilts.items() if line_tilt is not None and abs(line_tilt - tilt) < VERTICAL_TOL
+        ]
         if alone == [line.name]:
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjective}) {_PARTS} of (?:the )?{strings}\b"
     for end in line.ends:
@@ -240,7 +242,7 @@ def with_particles(text: str, words: Words) -> str:
 
 
 EQUAL_MASS_RTOL = 1e-9  # relative: masses that differ by less are equal
-PAIR = 2
+PAIR_SIZE = 2
 BodyChoice = Callable[[list[str], Words], list[str]]
 
 
@@ -266,7 +268,7 @@ def _lettered(words: Words) -> Mapping[str, Mapping[str, str]]:
         match = re.fullmatch(r"(?:the )?(\w+) [A-Z]", phrase)
         if match is not None:
             lettered.setdefault(match[1], {})[name] = phrase
-    return {noun: phrases for noun, phrases in lettered.items() if len(phrases) >= PAIR}
+    return {noun: phrases for noun, phrases in lettered.items() if len(phrases) >= PAIR_SIZE}
 
 
 def _hanging(names: list[str], words: Words) -> list[str]:
@@ -289,7 +291,7 @@ def _by_mass(*, heaviest: bool) -> BodyChoice:
     """Return a choice of the heavier of two bodies, or of the lighter one."""
 
     def chosen(names: list[str], words: Words) -> list[str]:
-        if len(names) != PAIR or not {f"{name}.mass" for name in names} <= words.stated_paths:
+        if len(names) != PAIR_SIZE or not {f"{name}.mass" for name in names} <= words.stated_paths:
             return []
         mass = {name: words.mechanism.body[name].mass for name in names}
         light, heavy = sorted(names, key=lambda name: mass[name])

@@ -7,7 +7,14 @@ from dataclasses import replace
 from sim2reason.questions.moments.reached import SECOND_TIME_PREFIX
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.moment_phrases import AT_BURNOUT, BEFORE, GREATEST, LONG, TIMES, When
-from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis_reader, is_time, read_return, subject_of
+from sim2reason.questions.ordinary.moment_readers import (
+    LAST_RANK,
+    LIFT_OFF,
+    apsis_reader,
+    is_time,
+    read_return,
+    subject_of,
+)
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     ASKS_FOR_POSITION,
@@ -252,13 +259,13 @@ def read_axis_stop(match: re.Match[str], sentence: TokenizedSentence, subject: s
 def read_closest_approach(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are closest: if a spring joins them, that of greatest compression."""
     yield from apsis_reader("closest")(match, sentence, subject, side)
-    yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
+    yield When("most compressed", side, (("", SPRUNG),), rank=LAST_RANK)
 
 
 def most_apart(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are farthest apart: if a spring joins them, that of greatest extension."""
     yield from apsis_reader("farthest")(match, sentence, subject, side)
-    yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
+    yield When("most stretched", side, (("", SPRUNG),), rank=LAST_RANK)
 
 
 def extreme_coordinate(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:

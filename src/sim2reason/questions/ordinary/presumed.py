@@ -50,7 +50,7 @@ def goes_then(case: Case, direction: str) -> bool:
     return moves and all(bool(np.isclose(target.value(state), answer, rtol=STEADY, atol=0.0)) for state in states)
 
 
-EARLY = 0.5  # of an interval: by then the direction of motion is established
+DIRECTION_FRACTION = 0.5  # of an interval: by then the direction of motion is established
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
 
 
@@ -106,7 +106,7 @@ def check_presumptions(reading: Reading, followed: SimulatedAnswer, query: Query
     trace = followed.study.trace
     time = followed.study.time(query.moment) if query.moment is not None else None
     events = (event.time for event in trace.events if event.time > 0.0)
-    early = EARLY * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
+    early = DIRECTION_FRACTION * min(next(iter(sorted(events)), np.inf), float(trace.state.times[-1]))
     then = early if not time else float(np.nextafter(time, 0.0))
     late = (
         time if time and reading.side == AFTER else then

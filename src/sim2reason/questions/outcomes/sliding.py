@@ -61,7 +61,7 @@ class Slides(Onset):
         return tuple(f"{verb} on {surface}" for verb in verbs)
 
 
-ROUNDING = 1e-9  # m/s
+ZERO_SPEED = 1e-9  # m/s
 
 
 @OUTCOMES.register("slips_rolling")
@@ -82,7 +82,7 @@ class SlipsRolling(PossibleOutcome):
             and mechanism.contacts[name].friction > 0.0
             and isfinite(mechanism.contacts[name].friction)
             and mechanism.body[name].center == ZERO
-            and abs(_slip_at_start(mechanism, name)) <= ROUNDING
+            and abs(_slip_at_start(mechanism, name)) <= ZERO_SPEED
         }
 
     def duration(self, scene: Scene) -> float:

@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.subjects.bodies import (
 from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.simulation.trace import Trace
 
-BOTH = 2  # turning points, left and right, of a swing that does not go round
+SWING_TURNING_POINTS = 2  # turning points, left and right, of a swing that does not go round
 
 
 @OUTCOMES.register("goes_slack")
@@ -44,7 +44,7 @@ class GoesSlack(Swinging):
             return True
         level = {c.name for c in trace.mechanism.coordinates if c.axis[2] == 0.0}
         sides = sum(event.kind == "turn" and event.subjects[0] in level for event in trace.events)
-        return False if sides >= BOTH else None
+        return False if sides >= SWING_TURNING_POINTS else None
 
     def excess(self, trace: Trace) -> float:
         """Return the least tension, N."""
@@ -207,7 +207,7 @@ class Circles(Swinging):
         return (f"{self.subject(words)} does not stay taut all the way round",)
 
 
-FULL = 360.0  # degrees
+FULL_TURN_DEGREES = 360.0  # degrees
 
 
 @OUTCOMES.register("goes_round")
@@ -232,7 +232,7 @@ class GoesRound(Swinging):
             (event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in hinges), None
         )
         state = trace.state if back is None else trace.at(back)
-        round_once = bool(np.abs(AngleTurned.evaluate(state, self.name)).max() >= FULL)
+        round_once = bool(np.abs(AngleTurned.evaluate(state, self.name)).max() >= FULL_TURN_DEGREES)
         return round_once or (None if back is None else False)
 
     def excess(self, trace: Trace) -> float:

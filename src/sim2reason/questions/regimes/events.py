@@ -22,7 +22,7 @@ from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATO
 from sim2reason.text.prose.phrases import join
 
 MAX_COLLISIONS = 3  # greatest number of collisions in a clause
-ORDERS = 100  # greatest number of sequences; if there are more, only shorter ones are considered
+MAX_ORDERS = 100  # greatest number of sequences; if there are more, only shorter ones are considered
 
 
 @REGIMES.register("collisions")
@@ -39,7 +39,7 @@ class CollideInTurn(Regime):
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return one regime for each short sequence of possible collisions between bodies that the text can name."""
         met = [names for names in _meetings(study.mechanism) if _said(names, words)]
-        lengths = [n for n in range(MAX_COLLISIONS + 1) if len(met) ** n <= ORDERS] if met else []
+        lengths = [n for n in range(MAX_COLLISIONS + 1) if len(met) ** n <= MAX_ORDERS] if met else []
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -88,7 +88,7 @@ LEVEL_RTOL = 1e-9  # of the steepness of a direction: smaller values are level
 MIN_INTERVAL_FRACTION = 1e-9  # of the time asked about: shorter intervals are rounding
 SlipSigns = tuple[int, ...]
 """1 and -1: a stretch of the one way and of the other, as the slip counts."""
-COURSES: tuple[SlipSigns, ...] = ((1,), (-1,), (1, -1), (-1, 1))
+SLIP_COURSES: tuple[SlipSigns, ...] = ((1,), (-1,), (1, -1), (-1, 1))
 SLIDE_ONSET_FRACTION = 1e-3  # of the time asked about, or s: time in which a released body begins to slide
 
 
@@ -114,7 +114,7 @@ class SlidesThroughout(Regime):
         slides = [
             cls(name, slides=True, course=course)
             for name in rough
-            for course in (COURSES if _slip_direction_words(mechanism, name) else [()])
+            for course in (SLIP_COURSES if _slip_direction_words(mechanism, name) else [()])
         ]
         return [*slides, *(cls(name, slides=False) for name in rough)]
 

@@ -11,7 +11,7 @@ from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import paragraphs
 
 _END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
-QUESTION = 2  # greatest number of sentences of a question
+MAX_QUESTION_SENTENCES = 2  # greatest number of sentences of a question
 ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 
@@ -35,7 +35,7 @@ def join_units(parts: Sequence[str]) -> str:
 
 def iter_splits(parts: Sequence[str]) -> Iterator[tuple[list[str], str]]:
     """Yield splits of a prompt into the story and the question at its end, of one sentence or more."""
-    for count in range(1, min(QUESTION, len(parts) - 1) + 1):
+    for count in range(1, min(MAX_QUESTION_SENTENCES, len(parts) - 1) + 1):
         if not any(map(is_table, parts[-count:])):
             yield list(parts[:-count]), join_units(parts[-count:])
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.questions.shapes.layout import QUESTION, is_table, iter_splits, join_units, one_of, units
+from sim2reason.questions.shapes.layout import MAX_QUESTION_SENTENCES, is_table, iter_splits, join_units, one_of, units
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.text.prose.description import Description, with_names, without_names
 from sim2reason.text.prose.phrases import join
@@ -14,7 +14,7 @@ from sim2reason.text.prose.voices import Voice, symbolic
 
 LIST_LEAD_INS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12  # range of the number of listed values
-COMPONENTS = 6  # greatest number of vector components, as more belong in a table
+MAX_COMPONENTS = 6  # greatest number of vector components, as more belong in a table
 _FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
 _COMPONENT = re.compile(r"[xyz](?:_.+)?|.+_(?:[xyz]|\{[xyz],.+\})")
 _NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
@@ -36,7 +36,7 @@ class NumbersListed(PromptShape):
         numbers = _numbers(description, marked)
         if numbers is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(numbers) <= MOST:
             return None
-        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in numbers) > COMPONENTS:
+        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in numbers) > MAX_COMPONENTS:
             return None
         named = with_names(marked)
         story = named.text
@@ -50,7 +50,7 @@ class NumbersListed(PromptShape):
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts whose given numbers are those of a list before or after the question; texts omit the list."""
         parts = units(text)
-        for index in range(len(parts) - 1, len(parts) - 2 - QUESTION, -1):
+        for index in range(len(parts) - 1, len(parts) - 2 - MAX_QUESTION_SENTENCES, -1):
             given = _listed(parts[index]) if index > 0 else {}
             for story, question in iter_splits([*parts[:index], *parts[index + 1 :]]) if given else ():
                 yield Draft(without_names(join_units(story)), question, given)

@@ -117,7 +117,9 @@ class SineForCosine(Misconception):
         return study.with_values({subject: 90.0 - float(study.scene.value(subject))}, until)
 
 
-FITS = 1e-3  # of the greatest displacement: largest part of an initial state that the modes do not represent
+MODE_RESIDUAL_RTOL = (
+    1e-3  # of the greatest displacement: largest part of an initial state that the modes do not represent
+)
 
 
 @misconception
@@ -152,7 +154,9 @@ def _harmonic(trace: Trace, rest: Equilibrium, modes: Oscillations) -> Trace | N
     omega, shapes = modes.frequencies, modes.shapes
     inverse = np.asarray(np.linalg.pinv(shapes), dtype=np.float64)
     a, b = inverse @ gone, inverse @ speeds
-    if max(np.abs(shapes @ a - gone).max(), np.abs(shapes @ b - speeds).max()) > FITS * max(np.abs(gone).max(), FITS):
+    if max(np.abs(shapes @ a - gone).max(), np.abs(shapes @ b - speeds).max()) > MODE_RESIDUAL_RTOL * max(
+        np.abs(gone).max(), MODE_RESIDUAL_RTOL
+    ):
         return None
 
     def sample(times: Array) -> State:

@@ -191,7 +191,7 @@ class OwnInertia(ChangedMechanism):
         return replace_bodies(mechanism, [subject], as_point_mass)
 
 
-ON_AXIS = 1e-9  # m
+ON_AXIS_DISTANCE = 1e-9  # m
 
 
 @misconception
@@ -224,7 +224,7 @@ class ParallelAxisForgotten(ChangedMechanism):
 def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
     """Return the perpendicular vectors, m, from fixed axes of rotation to centres of mass off the axes, by body."""
     arms = ((name, _arm(mechanism, name)) for name in rotatable_bodies(mechanism))
-    return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
+    return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS_DISTANCE**2}
 
 
 def _arm(mechanism: Mechanism, name: str) -> Vector | None:

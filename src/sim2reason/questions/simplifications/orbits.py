@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.scenes.dsl.vectors import dot, subtract_triples
 from sim2reason.simulation.trace import Trace
 
-SQUARE = 1e-9  # cosine of a right angle
+RIGHT_ANGLE_COSINE_TOL = 1e-9  # cosine of a right angle
 SPEEDS = {"velocity", "momentum", "kinetic energy", "greatest speed", "least speed"}
 ACCELERATIONS = {"acceleration", "net force", "greatest acceleration", "least acceleration"}
 """What is asked for that hangs on the speed, or on the acceleration, by name."""
@@ -84,7 +84,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
         if mechanism.body[star].coordinates:
             continue
         axes = [c.axis for c in coordinates if c.kind == "slide"]
-        if len(coordinates) != 2 or len(axes) != 2 or abs(dot(*axes)) > SQUARE:
+        if len(coordinates) != 2 or len(axes) != 2 or abs(dot(*axes)) > RIGHT_ANGLE_COSINE_TOL:
             return []
         away = subtract_triples(frames.center(planet).place, frames.center(star).place)
         x, y = (float(dot(away, axis)) for axis in axes)

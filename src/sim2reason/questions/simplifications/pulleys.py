@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line,
 from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, fix_body, replace_bodies, replace_lines
 from sim2reason.scenes.dsl.vectors import subtract_triples
 
-UPRIGHT = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical
+VERTICAL_COSINE = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical
 PLAIN_STRING = Inextensible()
 
 
@@ -57,7 +57,7 @@ def _rises(body: RigidBody) -> bool:
     if body.parent is not None or len(body.coordinates) != 1:
         return False
     (coordinate,) = body.coordinates
-    return coordinate.kind == "slide" and abs(coordinate.axis[2]) > UPRIGHT
+    return coordinate.kind == "slide" and abs(coordinate.axis[2]) > VERTICAL_COSINE
 
 
 class _Holding:
@@ -96,7 +96,7 @@ def _straight_runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line,
                 continue
             low, high = ends if z > 0.0 else ends[::-1]
             yield line, low, high
-            if abs(z) < UPRIGHT * length:
+            if abs(z) < VERTICAL_COSINE * length:
                 yield line, high, low
 
 

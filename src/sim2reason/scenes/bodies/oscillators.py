@@ -27,7 +27,7 @@ class Arm(Body):
         return Slender("rod")
 
 
-HEAVIEST_BEAD = 0.3  # kg
+MAX_BEAD_MASS = 0.3  # kg
 
 
 @body
@@ -44,7 +44,7 @@ class Ball(Body):
     def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
         """Return whether the ball is light enough for the noun *bead*; True for other nouns."""
         del bodies
-        return noun != "bead" or self.mass <= HEAVIEST_BEAD
+        return noun != "bead" or self.mass <= MAX_BEAD_MASS
 
     @property
     def look(self) -> Small:

@@ -5,7 +5,7 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
-from sim2reason.scenes.dsl.body import THIN, Axial, Spherical, body
+from sim2reason.scenes.dsl.body import THIN_WALL_RATIO, Axial, Spherical, body
 from sim2reason.scenes.dsl.measures import LEAST, Measure, Range
 from sim2reason.scenes.dsl.solids import (
     MAX_SIZE,
@@ -129,7 +129,7 @@ class SphericalShell(Shape):
     @property
     def look(self) -> Spherical:
         """Return the drawn shape: a ring, as if cut open."""
-        return Spherical(self.radius, wall=THIN * self.radius)
+        return Spherical(self.radius, wall=THIN_WALL_RATIO * self.radius)
 
 
 @body
@@ -189,7 +189,7 @@ class Hoop(Shape):
     @property
     def look(self) -> Axial:
         """Return the drawn shape: a ring."""
-        return Axial(self.radius, wall=THIN * self.radius)
+        return Axial(self.radius, wall=THIN_WALL_RATIO * self.radius)
 
 
 Bore = Annotated[float, LEAST, MAX_SIZE, Measure("inner radius", "m", "r"), Range(0.02, 0.12)]
@@ -212,7 +212,7 @@ class Pipe(Shape):
     @property
     def look(self) -> Axial:
         """Return the drawn shape: a ring, seen from its end."""
-        return Axial(self.radius, wall=THIN * self.radius)
+        return Axial(self.radius, wall=THIN_WALL_RATIO * self.radius)
 
 
 @body

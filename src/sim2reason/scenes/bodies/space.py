@@ -18,7 +18,7 @@ SurfaceGravity = Annotated[
     float, Gt(0), Le(1e3), Measure("gravity", "m/s^2", "g", called="acceleration of free fall"), Range(0.4, 4.0)
 ]
 
-GRAVITATION = 6.674e-11  # N m²/kg²
+GRAVITATIONAL_CONSTANT = 6.674e-11  # N m²/kg²
 KILO = 1e3
 ROCK = Range(1800.0, 5200.0)  # kg/m³
 
@@ -82,13 +82,13 @@ class AirlessPlanet(StartingPlace):
     @property
     def density(self) -> float:
         """Return the mean density of the planet, kg/m³, from its surface gravity: g = 4πGρR/3."""
-        return self.gravity / (4.0 / 3.0 * pi * GRAVITATION * KILO * self.radius)
+        return self.gravity / (4.0 / 3.0 * pi * GRAVITATIONAL_CONSTANT * KILO * self.radius)
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
         """Return a surface gravity that matches the mean density of rock, or of ice and rock."""
         density = rng.uniform(ROCK.low, ROCK.high)
-        gravity = density * 4.0 / 3.0 * pi * GRAVITATION * KILO * drawn["radius"]
+        gravity = density * 4.0 / 3.0 * pi * GRAVITATIONAL_CONSTANT * KILO * drawn["radius"]
         return {"gravity": round_as_stated(cls, "gravity", gravity)}
 
     @property
@@ -120,7 +120,7 @@ class DeepSpace(StartingPlace):
 
 
 G = 4.0 * pi**2  # au³/(Msun yr²): what is 1 au from 1 solar mass takes 1 year for a circle
-COMET = 0.6  # the least eccentricity of the orbit of a comet
+MIN_COMET_ECCENTRICITY = 0.6  # the least eccentricity of the orbit of a comet
 
 StarMass = Annotated[float, Ge(1e-18), Le(1e6), Measure("mass", "Msun", "M"), Range(0.5, 2.0)]
 PlanetMass = Annotated[float, Ge(1e-18), Le(1e6), Measure("mass", "Msun", "m"), Range(1e-5, 5e-4)]
@@ -168,7 +168,9 @@ class Planet(Body):
             return True
         pull, speed, radial = G * star.mass, hypot(self.vx, self.vy), self.x * self.vx + self.y * self.vy
         along = speed**2 - pull / hypot(self.x, self.y)
-        return hypot(along * self.x - radial * self.vx, along * self.y - radial * self.vy) >= COMET * pull
+        return (
+            hypot(along * self.x - radial * self.vx, along * self.y - radial * self.vy) >= MIN_COMET_ECCENTRICITY * pull
+        )
 
     @property
     def look(self) -> Small:

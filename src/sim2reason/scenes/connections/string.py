@@ -50,7 +50,7 @@ FURTHER_PHRASES = ("one more light string", "a further light string")
 _ONE = re.compile(r"light string(?!s)|(?:another|one more) (?:joins|runs|leads)")
 OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
 WAYS = (OVER, UNDER, ROUND)
-LEVEL = 1e-9  # smaller vertical components of a direction are round-off
+VERTICAL_COMPONENT_TOL = 1e-9  # smaller vertical components of a direction are round-off
 CONTINUATIONS = {
     (OVER, OVER): "then over ",
     (ROUND, OVER): "goes straight up and over ",
@@ -199,7 +199,10 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
     preposition does not reveal them. If it rises and continues upward, or stays horizontal, it passes round.
     """
     rises = [(builder.faces[site] or ZERO)[2] for site in turn]
-    over, under = any(rise > LEVEL for rise in rises), any(rise < -LEVEL for rise in rises)
+    over, under = (
+        any(rise > VERTICAL_COMPONENT_TOL for rise in rises),
+        any(rise < -VERTICAL_COMPONENT_TOL for rise in rises),
+    )
     return ROUND if over == under else OVER if over else UNDER
 
 

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.vectors import Vector
 
 SmallKind = Literal["ball", "sphere", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
 LineKind = Literal["string", "spring", "rod"]
-THIN = 0.06  # fraction of the radius: drawn thickness of a thin wall
+THIN_WALL_RATIO = 0.06  # fraction of the radius: drawn thickness of a thin wall
 
 
 @dataclass(frozen=True, slots=True)

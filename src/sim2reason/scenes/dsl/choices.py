@@ -14,8 +14,8 @@ from sim2reason.scenes.dsl.model import Choice, Model, draw, field_types
 from sim2reason.scenes.dsl.ports import Pass, Port
 from sim2reason.scenes.dsl.scene import Scene
 
-OPTIONAL = 0.5  # probability of an optional field
-SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or horizontal
+OPTIONAL_PROBABILITY = 0.5  # probability of an optional field
+SPECIAL_PROBABILITY = 0.2  # probability of a value stated by a word, such as smooth or horizontal
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
@@ -24,7 +24,7 @@ def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
     for model in contained_classes(cls):
         for name, kind in field_types(model).items():
             special = specials(model, name)
-            if kind.measure is not None and special and rng.random() < SPECIAL:
+            if kind.measure is not None and special and rng.random() < SPECIAL_PROBABILITY:
                 chosen[f"{model.__name__}.{name}"] = special[int(rng.integers(len(special)))]
     return chosen
 
@@ -32,7 +32,7 @@ def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
 def chances(cls: type[Model]) -> dict[str, Choice]:
     """Return the probabilities of optional fields of a class and of all classes that it can contain."""
     return {
-        f"{model.__name__}.{name}?": OPTIONAL
+        f"{model.__name__}.{name}?": OPTIONAL_PROBABILITY
         for model in contained_classes(cls)
         for name, kind in field_types(model).items()
         if (kind.optional or not model.model_fields[name].is_required()) and (kind.drawn or kind.models or kind.words)

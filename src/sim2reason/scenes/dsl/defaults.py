@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.mechanism import GRAVITY, ZERO, Elastic, Mechanism
 from sim2reason.scenes.dsl.ports import Stop, StringEnd
 from sim2reason.scenes.dsl.vectors import Vector, add, scale
 
-GAP = 1.0  # m between entities that no straight string aligns, for drawings only
+ENTITY_GAP = 1.0  # m between entities that no straight string aligns, for drawings only
 
 
 def opposite_direction(one: Vector | None, other: Vector | None) -> bool:
@@ -58,7 +58,7 @@ def place_entities(
     for named in free:
         low, high = named.alone.extent
         offsets[named.name] = (right - low, 0.0, 0.0)
-        right += high - low + GAP
+        right += high - low + ENTITY_GAP
     for _, path in paths:
         _check_sites(path, alone)
     _align([pair for pair in pairs if {_owner(pair.one), _owner(pair.other)} <= offsets.keys()], offsets, alone)
@@ -135,7 +135,7 @@ def _shift(pair: Neighbours, alone: Mapping[str, Builder], offsets: dict[str, Ve
     offsets[far] = add(wanted, scale(-1.0, alone[far].position(pair.other)))
 
 
-HORIZON = 2.0  # s, on Earth
+DEFAULT_HORIZON = 2.0  # s, on Earth
 MAX_OSCILLATIONS, SIMULATED_OSCILLATIONS = (
     100,
     40,
@@ -148,7 +148,7 @@ def horizon(entities: Iterable[Entity], gravity: float) -> float:
     If no entity asks for any, it is the time of a fall from the height from which a body falls for 2 s on Earth.
     """
     wanted = (entity.horizon(gravity) for entity in entities)
-    usual = HORIZON * sqrt(GRAVITY / gravity) if gravity else HORIZON
+    usual = DEFAULT_HORIZON * sqrt(GRAVITY / gravity) if gravity else DEFAULT_HORIZON
     return max((duration for duration in wanted if duration is not None), default=usual)
 
 

@@ -108,8 +108,8 @@ DENSITIES: Mapping[Matter, Span] = {
     "solid": (100.0, 12000.0),  # kg/m³: from cork to lead
     "planet": (800.0, 6000.0),  # from ice to rock rich in iron
 }
-PLANET = 1e-3  # fraction of the mass of its star: a heavier planet would move the star noticeably
-STRETCH: Span = (0.5, 1.5)  # plausible lengths of a spring, as fractions of its natural length
+MAX_PLANET_MASS_RATIO = 1e-3  # fraction of the mass of its star: a heavier planet would move the star noticeably
+STRETCH_SPAN: Span = (0.5, 1.5)  # plausible lengths of a spring, as fractions of its natural length
 
 
 def is_outside(value: float, span: Span) -> bool:
@@ -136,7 +136,7 @@ def _heavy_planets(mechanism: Mechanism) -> Iterator[str]:
     for pull in mechanism.attractions:
         a, b = mechanism.body[pull.a], mechanism.body[pull.b]
         fixed, moving = (a, b) if b.coordinates else (b, a)
-        if not fixed.coordinates and moving.mass > PLANET * fixed.mass:
+        if not fixed.coordinates and moving.mass > MAX_PLANET_MASS_RATIO * fixed.mass:
             yield f"{moving.name} has {moving.mass / fixed.mass:.2g} of the mass of {fixed.name}, which stays fixed"
 
 
@@ -159,9 +159,9 @@ def implausible_spring_lengths(
         if line is None or not isinstance(line.law, Elastic) or name not in lengths:
             continue
         smallest, greatest = (length / own for length in lengths[name])
-        if line.law.side <= 0.0 and smallest < STRETCH[0]:
+        if line.law.side <= 0.0 and smallest < STRETCH_SPAN[0]:
             yield f"{name} is squeezed to {smallest:.2g} of its natural length"
-        if line.law.side >= 0.0 and greatest > STRETCH[1]:
+        if line.law.side >= 0.0 and greatest > STRETCH_SPAN[1]:
             yield f"{name} is stretched to {greatest:.2g} of its natural length"
 
 

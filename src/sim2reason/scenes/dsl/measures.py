@@ -271,7 +271,7 @@ def join_unit(number: str, unit: str) -> str:
 
 
 LEAST = Ge(1e-6)  # bound of positive numbers: smaller ones are typing errors, lost beside a kilogram in engines
-FASTEST = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
+MAX_SPEED = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
 Mass = Annotated[float, LEAST, Le(1e9), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
 KINETIC = Beside("static_friction", r"\mu_k", "coefficient of kinetic friction")
@@ -292,7 +292,7 @@ StaticFriction = Annotated[
     Usually(present=False),
 ]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F", sought=2.0), Range(0.5, 10.0)]
-Speed = Annotated[float, LEAST, Le(FASTEST), Measure("speed", "m/s", "v", sought=2.0), Range(0.5, 5.0)]
+Speed = Annotated[float, LEAST, Le(MAX_SPEED), Measure("speed", "m/s", "v", sought=2.0), Range(0.5, 5.0)]
 AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]

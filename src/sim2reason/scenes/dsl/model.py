@@ -178,7 +178,7 @@ def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
                     yield from parameters(member, f"{address}.{index}")
 
 
-REDRAWS = 20
+MAX_REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
 """Restrictions of a draw by a recipe, by field or measure name: a `Range` or `Count` to draw from, a tuple of class
@@ -204,12 +204,12 @@ def _accepted(
 ) -> M:
     """Draw values until the validators of the class accept one; `around` has the earlier values of its container."""
     refused = ""
-    for _ in range(REDRAWS):
+    for _ in range(MAX_REDRAWS):
         try:
             return _drawn(model, rng, choices, given, around)
         except ValidationError as error:
             refused = error.errors()[0]["msg"]
-    raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused}", "widen a range")
+    raise SceneError(model.__name__, f"nothing valid in {MAX_REDRAWS} draws: {refused}", "widen a range")
 
 
 def _drawn(

@@ -22,7 +22,7 @@ Axes = tuple[Vector, Vector, Vector]
 
 UPRIGHT: Axes = (X, Y, Z)
 OVERTURNED: Axes = (X, (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))  # rotated by half a turn about x
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in order
+TENSOR_INDICES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in order
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,9 +44,9 @@ class Solid:
 
     def turned(self, axes: Axes) -> "Solid":
         """Return the mass distribution rotated about the origin."""
-        entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
+        entries = [(i, j, part) for (i, j), part in zip(TENSOR_INDICES, self.second, strict=True)]
         both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
-        xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
+        xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in TENSOR_INDICES)
         center = add(*(scale(part, axis) for part, axis in zip(self.center, axes, strict=True)))
         return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
 
@@ -59,7 +59,7 @@ class Solid:
         share = self.size * other.size / size
         parts = (a + b for a, b in zip(self.second, other.second, strict=True))
         xx, yy, zz, xy, xz, yz = (
-            p + share * separation[i] * separation[j] for p, (i, j) in zip(parts, PAIRS, strict=True)
+            p + share * separation[i] * separation[j] for p, (i, j) in zip(parts, TENSOR_INDICES, strict=True)
         )
         return Solid(size, add(self.center, scale(other.size / size, separation)), (xx, yy, zz, xy, xz, yz))
 

@@ -297,7 +297,7 @@ def _turned(frame: BodyFrame, inertia: Tensor) -> Tensor:
     return (entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2))
 
 
-ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
+SPEED_RTOL = 1e-9  # fraction of the largest speed, or of 1 m/s
 CONTACT_DISTANCE = 1e-9  # m
 
 
@@ -308,7 +308,7 @@ def check_initial_speeds(mechanism: Mechanism) -> None:
     rods = [line for line in mechanism.lines if isinstance(line.law, Rigid)]
     if not any(speeds) or not (rods or never or mechanism.feet):
         return
-    small = ROUNDING * max(1.0, *map(abs, speeds))
+    small = SPEED_RTOL * max(1.0, *map(abs, speeds))
     frames = Frames(mechanism, [0.0] * len(speeds), speeds, math)
     for rod in rods:
         rate = _parting(frames, *rod.through)

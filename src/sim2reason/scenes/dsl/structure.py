@@ -174,7 +174,7 @@ def _rises(frame: BodyFrame, center: Point) -> bool:
     return False
 
 
-ALIGNED = 1e-9  # largest difference of parallel unit vectors
+PARALLEL_TOL = 1e-9  # largest difference of parallel unit vectors
 
 
 def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
@@ -219,7 +219,7 @@ def rotates_one_way(mechanism: Mechanism, name: str) -> bool:
     senses = [factor * c.speed * (1.0 if c.kind == "slide" else -1.0) for c, factor in speeds]
     if len(slopes) != 1 or {c.kind for c, _ in speeds} != {"slide", "hinge"}:
         return False
-    down = slopes[0] if abs(slopes[0]) > ALIGNED else sum(senses)
+    down = slopes[0] if abs(slopes[0]) > PARALLEL_TOL else sum(senses)
     return all(sense * down >= 0.0 for sense in senses)
 
 
@@ -247,11 +247,11 @@ def _swung(frame: BodyFrame, point: Point) -> list[Triple]:
 
 
 def _moved(vector: Triple) -> bool:
-    return hypot(*vector) > ALIGNED
+    return hypot(*vector) > PARALLEL_TOL
 
 
 def _parallel(one: Vector, other: Vector) -> bool:
-    return hypot(*cross(one, other)) <= ALIGNED
+    return hypot(*cross(one, other)) <= PARALLEL_TOL
 
 
 def rotating_line(line: Line, frames: Frames) -> str:
@@ -262,7 +262,7 @@ def rotating_line(line: Line, frames: Frames) -> str:
         return ""
     for run in pieces:
         for number, moved in run.moved.items():
-            if hypot(*subtract_triples(moved, scale_triple(run.along[number], run.direction))) > ALIGNED:
+            if hypot(*subtract_triples(moved, scale_triple(run.along[number], run.direction))) > PARALLEL_TOL:
                 return f"{line.name} bends"
     return ""
 

@@ -147,7 +147,7 @@ def apply_tensor(tensor: Tensor, vector: Triple) -> Triple:
 
 
 Gradient = Mapping[int, Triple]  # by index of a coordinate, or of a face
-NONE: Triple = (0.0, 0.0, 0.0)
+NULL_VECTOR: Triple = (0.0, 0.0, 0.0)
 
 
 @dataclass(slots=True)
@@ -184,7 +184,7 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
     value = maths.sqrt(x * x + y * y + z * z) if steady is None else dot(steady, separation)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
-        return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
+        return Distance(value, 0.0, 0.0, NULL_VECTOR, {}, {}, {})
     direction = x, y, z = scale_triple(1.0 / value, separation) if steady is None else steady
     along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
     lift = {i: dot(direction, normal) for i, normal in risen.items()} if risen else {}

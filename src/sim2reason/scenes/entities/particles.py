@@ -38,15 +38,15 @@ from sim2reason.scenes.bodies.charges import (
     Strip,
 )
 from sim2reason.scenes.bodies.oscillators import Ball
-from sim2reason.scenes.dsl.measures import FASTEST
+from sim2reason.scenes.dsl.measures import MAX_SPEED
 from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.dsl.units import MINUTE, UnitSystem
 from sim2reason.scenes.entities.fields import ElectricField, ForceField, MagneticField, Medium
 
 LaunchHeight = Annotated[float, Ge(0), Le(1e6), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(0.0, 90.0)]
-STRAIGHT = 90.0  # deg, a vertical launch
-FLIGHTS = 2.2  # durations of the first flight in the default duration
+VERTICAL_ANGLE = 90.0  # deg, a vertical launch
+HORIZON_FLIGHTS = 2.2  # durations of the first flight in the default duration
 
 
 @entity
@@ -129,7 +129,7 @@ class Projectile(Entity):
     def _velocity(self) -> tuple[float, float]:
         """Return the components of the ball's initial velocity: horizontal, and vertical (positive upward), m/s."""
         speed, angle = self.speed or 0.0, radians(self.angle or 0.0)
-        ahead = cos(angle) if self.angle != STRAIGHT else 0.0  # which rounding would leave a little of
+        ahead = cos(angle) if self.angle != VERTICAL_ANGLE else 0.0  # which rounding would leave a little of
         return speed * ahead, speed * sin(angle) * (1.0 if self.side == "above" else -1.0)
 
     @property
@@ -141,7 +141,7 @@ class Projectile(Entity):
         """Return a little more than twice the duration of the flight to the ground, s; None without gravity."""
         if not gravity:
             return None
-        return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * gravity * self.height)) / gravity
+        return HORIZON_FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * gravity * self.height)) / gravity
 
     def build(self, room: Frame) -> None:
         """Build a small body that collides with the ground; without a restitution its motion ends there."""
@@ -153,10 +153,10 @@ class Projectile(Entity):
             room.bump(room, ball, Z, 0.0, self.restitution)
 
 
-TURN = 8.0  # rad of the fastest rotation or oscillation in the default duration
-USUAL = 2.0  # s, default duration without a time scale of the fields
+HORIZON_ANGLE = 8.0  # rad of the fastest rotation or oscillation in the default duration
+DEFAULT_DURATION = 2.0  # s, default duration without a time scale of the fields
 PATH_LENGTH_RATIO = 1.5  # assumed length of a path through a region, in straight paths
-AIM = 12.0  # degrees, largest error of aim of a drawn bead towards a region
+MAX_AIM_ERROR = 12.0  # degrees, largest error of aim of a drawn bead towards a region
 
 
 @entity
@@ -208,7 +208,7 @@ class EmEntity(Entity):
         if region is None or not isinstance(start, Launched):
             return {}
         x, y = region.middle
-        angle = round(math.degrees(math.atan2(y, x)) + rng.uniform(-AIM, AIM)) % 360
+        angle = round(math.degrees(math.atan2(y, x)) + rng.uniform(-MAX_AIM_ERROR, MAX_AIM_ERROR)) % 360
         return {"start": replace_validated(start, angle=float(angle))}
 
     @property
@@ -227,7 +227,7 @@ class EmEntity(Entity):
         del gravity
         mass, charge = self.particle.mass, self.particle.signed_charge
         fastest = max(field.rate(charge, mass) for field in self.fields.values())
-        enough = TURN / fastest if fastest else self._speeding_up
+        enough = HORIZON_ANGLE / fastest if fastest else self._speeding_up
         if self.region is None or not isinstance(self.start, Launched):
             return enough
         speed = self.start.speed
@@ -238,7 +238,7 @@ class EmEntity(Entity):
         """Return the default duration, s, reduced if the bead would become too fast for Newton's laws."""
         pushes = [field.law(self.particle.signed_charge).force(ZERO, ZERO, 0.0, math) for field in self.fields.values()]
         most = sum(math.hypot(*map(float, push)) for push in pushes) / self.particle.mass
-        return min(USUAL, FASTEST / most) if most else USUAL
+        return min(DEFAULT_DURATION, MAX_SPEED / most) if most else DEFAULT_DURATION
 
     def build(self, room: Frame) -> None:
         """Build the bead with two sliding coordinates in a level plane, and a force for each field."""

@@ -94,7 +94,7 @@ class MassWithFixedPulley(Entity):
         self.system.build(room.part("system"))
 
 
-ASIDE = 1.0  # m; distance of a plane or wedge from the pulley, for drawings only
+SURFACE_OFFSET = 1.0  # m; distance of a plane or wedge from the pulley, for drawings only
 
 
 @entity
@@ -124,7 +124,7 @@ class MassWithMovablePulley(Entity):
         carrier.pulley("pulley", mass=self.pulley.mass, faces=scale(-1.0, Z))
         for name, system, side in (("left", self.left, 1.0), ("right", self.right, -1.0)):
             hangs = isinstance(system, Hanging)
-            at = scale(-side * (WHEEL_RADIUS if hangs else ASIDE), X)
+            at = scale(-side * (WHEEL_RADIUS if hangs else SURFACE_OFFSET), X)
             system.build(room.part(name, at=at if hangs else (at[0], 0.0, -1.0)), side)
 
 

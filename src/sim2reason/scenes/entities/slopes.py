@@ -24,7 +24,7 @@ from sim2reason.scenes.bodies.simple_machines import Box, Plane, Prism
 from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE, SPACING, Blocks, link, row, two_coefficients
 
 BLOCK_SPACING = 1.2  # m between neighbours on the top, kept by their strings and without effect
-EYE = 1.6  # height of a string's eye below the top, in free lengths; for drawings only
+EYE_HEIGHT = 1.6  # height of a string's eye below the top, in free lengths; for drawings only
 
 
 @entity
@@ -87,7 +87,7 @@ class MassBoxPlane(Entity):
         link(box, len(self.blocks))
         edge = self.length + 0.5 * last * BLOCK_SPACING
         for name, block, sign, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):
-            box.site(f"{name}_eye", at=(sign * edge, 0.0, -EYE * self.length), faces=scale(sign, X))
+            box.site(f"{name}_eye", at=(sign * edge, 0.0, -EYE_HEIGHT * self.length), faces=scale(sign, X))
             if block is not None:
                 box.site(f"{name}_corner", at=(sign * edge, 0.0, 0.0))
                 box.body(name, block.mass, at=(sign * edge, 0.0, -self.length)).slide(Z).site(f"{name}_hook")

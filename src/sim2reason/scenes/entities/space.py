@@ -27,7 +27,7 @@ from sim2reason.scenes.authoring import (
     starting,
 )
 from sim2reason.scenes.bodies.space import (
-    GRAVITATION,
+    GRAVITATIONAL_CONSTANT,
     KILO,
     AirlessPlanet,
     DeepSpace,
@@ -46,7 +46,7 @@ BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu")
 THRUST = Range(0.8, 4.0)  # in initial weights: below 1 the rocket waits until it is light enough
 ESCAPING_THRUST = Range(1.2, 2.5)  # in initial weights, for a rocket that travels far from a planet
 ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in escape speeds
-BURNS = 3.0  # burning times in the default duration
+HORIZON_BURNS = 3.0  # burning times in the default duration
 
 
 @entity
@@ -103,7 +103,7 @@ class RocketEntity(Entity):
     def horizon(self, gravity: float) -> float:
         """Return three times the burning time, s."""
         del gravity
-        return BURNS * self.burning_time
+        return HORIZON_BURNS * self.burning_time
 
     def build(self, room: Frame) -> None:
         """Build the rocket with one coordinate: vertical in uniform gravity, else along a level line.
@@ -121,8 +121,8 @@ class RocketEntity(Entity):
         rocket.burn(self.rate, KILO * self.exhaust, self.burning_time, direction)
         if isinstance(self.place, AirlessPlanet):
             radius = KILO * self.place.radius
-            planet = room.body("place", self.place.gravity * radius**2 / GRAVITATION, at=(-radius, 0.0, 0.0))
-            rocket.attract(planet, GRAVITATION)
+            planet = room.body("place", self.place.gravity * radius**2 / GRAVITATIONAL_CONSTANT, at=(-radius, 0.0, 0.0))
+            rocket.attract(planet, GRAVITATIONAL_CONSTANT)
 
 
 NEGLIGIBLE_MASS = 1e-6  # solar masses, of a planet whose mass is not stated and has no effect
@@ -130,8 +130,10 @@ INNERMOST = Range(0.3, 0.7)  # au, first perihelion
 ORBIT_SPACING, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # perihelion over the previous aphelion; for heavy ones
 RATIO = Range(2e-4, 1e-3)  # mass of a heavy planet over that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
-APSIS = 0.4  # probability that the first planet starts at an apsis, with a velocity perpendicular to the radius
-FULL = 1.2  # periods in the default duration: more than one, even if a number is changed slightly
+APSIS_PROBABILITY = (
+    0.4  # probability that the first planet starts at an apsis, with a velocity perpendicular to the radius
+)
+DURATION_PERIODS = 1.2  # periods in the default duration: more than one, even if a number is changed slightly
 MAX_DURATION = 50.0  # yr
 
 AnyPlanet = Planet | HeavyPlanet
@@ -194,7 +196,7 @@ class SolarSystem(Entity):
     def horizon(self, gravity: float) -> float:
         """Return slightly more than the shortest period of a bound planet, or that of a circular orbit, yr."""
         del gravity
-        return min([MAX_DURATION, *(FULL * self._period(planet) for planet in self.planets)])
+        return min([MAX_DURATION, *(DURATION_PERIODS * self._period(planet) for planet in self.planets)])
 
     def _period(self, planet: AnyPlanet) -> float:
         distance, attraction = hypot(planet.x, planet.y), G * self.star.mass
@@ -241,7 +243,7 @@ def orbiting(
     for planet in planets:
         e, turn, angle = rng.uniform((eccentricities.low, 0.0, 0.0), (eccentricities.high, 2.0 * pi, 2.0 * pi))
         if not placed:
-            angle = pi * float(rng.integers(2)) if rng.random() < APSIS else angle
+            angle = pi * float(rng.integers(2)) if rng.random() < APSIS_PROBABILITY else angle
             turn = -angle
         p = nearest * (1.0 + e)
         r, speed = p / (1.0 + e * cos(angle)), sqrt(G * mass / p)

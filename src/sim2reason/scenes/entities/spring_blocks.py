@@ -42,9 +42,9 @@ Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimal
 Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
 MIN_NAIL_DISTANCE = 0.05  # m from the block to a nail, and between nails
 START_LENGTH_RATIO = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
-SHORTEST = 0.1  # m, of a drawn spring
-SWING = 0.3  # fraction of the shortest natural length: amplitude of a launch
-PERIODS = 2.0  # periods of an oscillation on all springs in parallel in the default duration
+MIN_NATURAL_LENGTH = 0.1  # m, of a drawn spring
+LAUNCH_AMPLITUDE = 0.3  # fraction of the shortest natural length: amplitude of a launch
+HORIZON_PERIODS = 2.0  # periods of an oscillation on all springs in parallel in the default duration
 
 
 class Launch(Part):
@@ -116,21 +116,23 @@ class SpringBlock(Entity):
         for spring in drawn["springs"]:
             natural = dist((spring.x, spring.y), (x, y)) / rng.uniform(START_LENGTH_RATIO.low, START_LENGTH_RATIO.high)
             springs.append(
-                replace_validated(spring, length=max(round_as_stated(NailedSpring, "length", natural), SHORTEST))
+                replace_validated(
+                    spring, length=max(round_as_stated(NailedSpring, "length", natural), MIN_NATURAL_LENGTH)
+                )
             )
         launch = drawn.get("launch")
         if not isinstance(launch, Launch):
             return {"springs": tuple(springs)}
         frequency = sqrt(sum(spring.stiffness for spring in springs) / block.mass)
-        fastest = SWING * min(spring.length for spring in springs) * frequency
-        share = min(1.0, fastest / max(hypot(launch.x, launch.y), SHORTEST))
+        fastest = LAUNCH_AMPLITUDE * min(spring.length for spring in springs) * frequency
+        share = min(1.0, fastest / max(hypot(launch.x, launch.y), MIN_NATURAL_LENGTH))
         slower = {name: round_as_stated(Launch, name, share * getattr(launch, name)) for name in ("x", "y")}
         return {"springs": tuple(springs), "launch": replace_validated(launch, **slower)}
 
     def horizon(self, gravity: float) -> float:
         """Return some periods of the block as if all springs were along one line, s."""
         del gravity
-        return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
+        return HORIZON_PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
 
     def build(self, room: Frame) -> None:
         """Build the block with two sliding coordinates on the table, and a spring to each nail."""

@@ -40,7 +40,7 @@ from sim2reason.scenes.entities.string_ends import two_coefficients
 
 START_LENGTH_RATIO = Range(0.85, 1.15)  # initial length of a drawn spring, in natural lengths
 FIRM = Range(6.0, 15.0)  # stiffness times length, in weights of the block
-SHORTEST = 0.3  # m, natural length
+MIN_NATURAL_LENGTH = 0.3  # m, natural length
 StartLength = Annotated[Length, Range(0.2, 1.0)]
 START_LENGTH_SENTENCE = placing(
     "initially {spring} has a length of {start}.",
@@ -52,7 +52,7 @@ START_LENGTH_SENTENCE = placing(
 def fitted_spring(drawn: Mapping[str, Any], rng: np.random.Generator) -> dict[str, object]:
     """Return a `spring` that the weight of the drawn `block` changes little, and a `start` near its natural length."""
     spring, weight = drawn["spring"], GRAVITY * drawn["block"].mass
-    length = max(spring.length, SHORTEST)
+    length = max(spring.length, MIN_NATURAL_LENGTH)
     stiffness = max(spring.stiffness, rng.uniform(FIRM.low, FIRM.high) * weight / length)
     firm = replace_validated(spring, stiffness=round_as_stated(Spring, "stiffness", stiffness), length=length)
     return {
@@ -113,7 +113,7 @@ STRAIN_SENTENCE = placing("initially {strained}.", "at the start {strained}.", "
 
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
-PERIODS = 1.5  # periods of the heaviest cart on the softest spring in the default duration
+HORIZON_PERIODS = 1.5  # periods of the heaviest cart on the softest spring in the default duration
 ChainSprings = Annotated[
     tuple[Coil, ...], Len(1, 7), Count(1, 7), Sized(lambda held: len(held["carts"]) - 1 + WALLS[held["ends"]])
 ]
@@ -181,7 +181,7 @@ class SpringMassChain(Entity):
         """Return some periods of the heaviest cart on the softest spring, s."""
         del gravity
         heaviest, softest = max(cart.mass for cart in self.carts), min(spring.stiffness for spring in self.springs)
-        return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
+        return HORIZON_PERIODS * 2.0 * pi * sqrt(heaviest / softest)
 
     def build(self, room: Frame) -> None:
         """Build carts at equal distances, with springs of that length except for their initial strain."""
@@ -264,7 +264,7 @@ class SpringMassRing(Entity):
         """Return some periods of the heaviest bead on the softest spring, s."""
         del gravity
         heaviest, softest = max(bead.mass for bead in self.beads), min(spring.stiffness for spring in self.springs)
-        return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
+        return HORIZON_PERIODS * 2.0 * pi * sqrt(heaviest / softest)
 
     @property
     def _arc(self) -> float:

@@ -22,7 +22,7 @@ from sim2reason.scenes.bodies.blocks import Slab
 from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE, two_coefficients
 
-THICK = 0.4  # m; distance between the string levels of successive slabs, for drawings only
+STRING_LEVEL_SPACING = 0.4  # m; distance between the string levels of successive slabs, for drawings only
 
 
 def frictions(number: str, below: str, above: str) -> dict[str, Word]:
@@ -120,7 +120,7 @@ class StackedMassPlane(Entity):
     def _slab(self, below: Frame, name: str, slab: Slab, rubs: tuple[float, float | None], speed: float = 0.0) -> Frame:
         """Lay a slab on `below`, with coefficients of kinetic and static friction `rubs` and a hook on either side."""
         uphill, normal = self.plane.directions()
-        at: Vector = scale(THICK, normal)
+        at: Vector = scale(STRING_LEVEL_SPACING, normal)
         frame = below.body(name, slab.mass, at=at).rest(uphill, normal, rubs[0], speed, static=rubs[1])
         frame.site(f"{name}_tail", faces=scale(-1.0, uphill)).site(f"{name}_hook", faces=uphill)
         return frame

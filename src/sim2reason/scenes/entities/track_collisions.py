@@ -163,7 +163,7 @@ PAIRS = each(
 SAME_KIND_PROBABILITY = 0.95  # probability that all drawn gliders are of one kind
 MIN_DISTANCE = 0.01  # m, between neighbours at the start
 MAX_DURATION = 10.0  # s
-PASSES = 5.0  # passes of the fastest glider over all others in the default duration
+HORIZON_PASSES = 5.0  # passes of the fastest glider over all others in the default duration
 
 
 @entity
@@ -260,7 +260,11 @@ class ComplexCollisionPlane(Entity):
         """Return the time of some passes of the fastest glider over the whole distance, s."""
         del gravity
         fastest = max(abs(glider.v) for glider in self.gliders)
-        return min(MAX_DURATION, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else MAX_DURATION
+        return (
+            min(MAX_DURATION, HORIZON_PASSES * (self._places[-1] - self._places[0]) / fastest)
+            if fastest
+            else MAX_DURATION
+        )
 
     @property
     def _places(self) -> list[float]:

@@ -40,7 +40,7 @@ Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
 CONTACT_DISTANCE = 1e-9  # m; smaller distances are round-off
-SLOWEST = 0.5  # m/s, least speed of a puck towards another
+MIN_APPROACH_SPEED = 0.5  # m/s, least speed of a puck towards another
 PASSES, SHORTEST, MAX_DURATION = (
     4.0,
     2.0,
@@ -168,7 +168,7 @@ class TwoDCollisionPlane(Entity):
         if second is None:
             return {}
         displacement = first.x - second.x, first.y - second.y
-        share = max(SLOWEST, hypot(second.vx, second.vy)) / max(hypot(*displacement), SLOWEST)
+        share = max(MIN_APPROACH_SPEED, hypot(second.vx, second.vy)) / max(hypot(*displacement), MIN_APPROACH_SPEED)
         velocity = (
             round_as_stated(Puck, "vx", own + share * part)
             for own, part in zip((first.vx, first.vy), displacement, strict=True)

@@ -231,7 +231,7 @@ def own_values(connection: Connection) -> dict[str, Any]:
 
 
 KEYS = ("wording", "symbols", "without")
-LARGEST = 2**63 - 1
+MAX_SEED = 2**63 - 1
 
 TEXT: dict[str, Any] = {
     "type": "object",
@@ -295,7 +295,7 @@ def parse_wording(data: Plain) -> Wording:
         if key not in KEYS:
             raise SceneError(f"text.{key}", "there is no such key here", f"keys: {', '.join(KEYS)}")
     seed, topics = data.get("wording", 0), get_args(Topic)
-    if not isinstance(seed, int) or isinstance(seed, bool) or not 0 <= seed <= LARGEST:
+    if not isinstance(seed, int) or isinstance(seed, bool) or not 0 <= seed <= MAX_SEED:
         raise SceneError("text.wording", f"it is {quote_value(seed)}", "give a whole number of at least 0")
     without = _words(data.get("without", []), "text.without")
     if unknown := next((word for word in without if word not in topics), ""):

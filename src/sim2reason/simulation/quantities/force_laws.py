@@ -139,8 +139,8 @@ class SpringStiffness(Quantity):
         return np.full(len(state.times), _law(state, subject)[1].stiffness)
 
 
-BORDER = 1e-9  # m; what is nearer to the border of a region is in it
-FAR = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
+BORDER_DISTANCE_TOL = 1e-9  # m; what is nearer to the border of a region is in it
+FAR_POINT = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
 
 
 @quantity
@@ -165,7 +165,7 @@ class ElectricPotentialEnergy(Quantity):
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether all electric forces on the body are static, curl-free and not limited to a region."""
         forces = _electric(mechanism, name)
-        return bool(forces) and all(f.region is None and f.law.potential(FAR, np) is not None for f in forces)
+        return bool(forces) and all(f.region is None and f.law.potential(FAR_POINT, np) is not None for f in forces)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -227,7 +227,7 @@ def _inside(force: Force, state: State, position: Triple) -> Array:
     if force.region is None:
         return np.ones(len(state.times), dtype=bool)
     margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(position, np)]
-    return np.min(margins, axis=0) >= -BORDER
+    return np.min(margins, axis=0) >= -BORDER_DISTANCE_TOL
 
 
 @quantity

@@ -21,8 +21,8 @@ from sim2reason.simulation.quantities.subjects.bodies import (
 )
 
 RANGE, SLANTED = 1.5, 0.15  # relative frequencies of the range of a projectile, and of its slanted distance
-SWUNG = 0.3  # relative frequency of the acceleration of a point on a swinging body
-STRAIGHT = 1e-9  # fraction of the product of speed and acceleration: below, the path counts as straight
+SWUNG_FREQUENCY = 0.3  # relative frequency of the acceleration of a point on a swinging body
+STRAIGHT_PATH_RTOL = 1e-9  # fraction of the product of speed and acceleration: below, the path counts as straight
 
 
 @quantity
@@ -121,7 +121,7 @@ class Acceleration(Quantity):
     def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
         """Return a smaller frequency for a part of a swinging body, as its angular acceleration is more informative."""
         usual = super().share(sense, mechanism, name)
-        return SWUNG * usual if center_path(mechanism, name).swings else usual
+        return SWUNG_FREQUENCY * usual if center_path(mechanism, name).swings else usual
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -154,7 +154,7 @@ class CurvatureRadius(Quantity):
         """Return |v|³/|v × a| in m, (n,); NaN if the path is straight there or the body is at rest."""
         velocity, acceleration = Velocity.evaluate(state, subject), Acceleration.evaluate(state, subject)
         speed, turning = np.linalg.norm(velocity, axis=1), np.linalg.norm(np.cross(velocity, acceleration), axis=1)
-        bends = turning > STRAIGHT * speed * np.linalg.norm(acceleration, axis=1)
+        bends = turning > STRAIGHT_PATH_RTOL * speed * np.linalg.norm(acceleration, axis=1)
         return np.where(bends, speed**3 / np.where(bends, turning, 1.0), np.nan)
 
 

@@ -96,7 +96,7 @@ class OriginDistance(Quantity):
         return bool(coordinates) and all(each.stated is not None for each in coordinates)
 
 
-UPRIGHT = 1.0 - 1e-9  # vertical component of a direction that counts as vertical
+VERTICAL_COSINE = 1.0 - 1e-9  # vertical component of a direction that counts as vertical
 
 
 @quantity
@@ -154,17 +154,17 @@ def height_at_start(mechanism: Mechanism, name: str) -> float:
 def _falling(mechanism: Mechanism, name: str) -> int | None:
     """Return the index of the vertical coordinate along which a body falls to the ground; None if there is none."""
     for coordinate in mechanism.body[name].coordinates:
-        if coordinate.kind == "slide" and coordinate.axis[2] > UPRIGHT and coordinate.lower > -inf:
+        if coordinate.kind == "slide" and coordinate.axis[2] > VERTICAL_COSINE and coordinate.lower > -inf:
             return mechanism.number[coordinate.name]
     return None
 
 
 def _bounces(mechanism: Mechanism, name: str) -> bool:
     met = (gap for gap in mechanism.meetings if gap.a is None and gap.names == (name,))
-    return any(gap.normal is not None and gap.normal[2] > UPRIGHT for gap in met)
+    return any(gap.normal is not None and gap.normal[2] > VERTICAL_COSINE for gap in met)
 
 
-SLACK = 1e-6  # fraction of its length: a string that is shorter by more is slack
+SLACK_RTOL = 1e-6  # fraction of its length: a string that is shorter by more is slack
 
 
 @quantity
@@ -206,4 +206,4 @@ def _slack(state: State, subject: str) -> Array:
     if line is None or not isinstance(line.law, Inextensible):
         return np.zeros(len(state.times), dtype=bool)
     full_length = state.began.length(line) + line.law.slack - line.law.reel * state.times
-    return state.length(line)[0] < full_length * (1.0 - SLACK)
+    return state.length(line)[0] < full_length * (1.0 - SLACK_RTOL)

@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Ro
 from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common_monomial, divide_by_term
 
 MAX_TERMS = 60  # terms of an equation that is solved in symbols, at most
-QUADRATIC = 2  # highest degree of an equation that is solved
+MAX_DEGREE = 2  # highest degree of an equation that is solved
 MAX_TERMS_WITH_ROOTS = 12  # terms of an equation with several square roots, at most
 MAX_SQUARE_ROOTS = 2  # different square roots with the symbol in one equation, at most
 
@@ -166,10 +166,10 @@ def _powers(zero: Polynomial, atom: Expression, written: CoefficientWriter) -> I
     """Yield the roots of an equation that is linear or quadratic in a symbol or function, or in its square."""
     powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
     lowest, steps = powers[0], [power - powers[0] for power in powers]
-    step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > QUADRATIC else 1
-    if max(steps) > QUADRATIC * step:
+    step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > MAX_DEGREE else 1
+    if max(steps) > MAX_DEGREE * step:
         return
-    rest, linear, square = (coefficient(zero, atom, lowest + step * n) for n in range(QUADRATIC + 1))
+    rest, linear, square = (coefficient(zero, atom, lowest + step * n) for n in range(MAX_DEGREE + 1))
     for root in _quadratic(rest, linear, square, written):
         yield from [root] if step == 1 else [Root(root), -Root(root)]
 
@@ -221,7 +221,7 @@ def _angles(zero: Polynomial, sine: Call, cosine: Call, written: CoefficientWrit
     rest = _constant(zero, sine, cosine)
     if all(sum(pair) <= 1 for pair in pairs):
         yield from _linear(coefficient(zero, sine, 1), coefficient(zero, cosine, 1), rest, written)
-    elif all(sum(pair) in (0, QUADRATIC) for pair in pairs):
+    elif all(sum(pair) in (0, MAX_DEGREE) for pair in pairs):
         first = coefficient(coefficient(zero, sine, 2), cosine, 0).scale(0.5)
         second = coefficient(coefficient(zero, cosine, 2), sine, 0).scale(0.5)
         mixed = coefficient(coefficient(zero, sine, 1), cosine, 1).scale(0.5)

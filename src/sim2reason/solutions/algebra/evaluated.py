@@ -17,7 +17,7 @@ from sim2reason.solutions.algebra.expressions import (
     with_guard_digits,
 )
 
-MEANS = 40  # most steps of the arithmetic-geometric mean; six suffice for nearly all moduli
+MAX_MEAN_STEPS = 40  # most steps of the arithmetic-geometric mean; six suffice for nearly all moduli
 MEANS_ATOL = 1e-17  # difference of the two means at which the iteration ends
 
 
@@ -107,7 +107,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
     if not 0.0 <= modulus.real < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
     means = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
-    while len(means) < MEANS and abs(means[-1][0] - means[-1][1]) > MEANS_ATOL:
+    while len(means) < MAX_MEAN_STEPS and abs(means[-1][0] - means[-1][1]) > MEANS_ATOL:
         a, b = means[-1]
         means.append((0.5 * (a + b), cmath.sqrt(a * b)))
         if means[-1][0] == a:  # the limit of floating-point precision
@@ -120,7 +120,7 @@ def _real_if(value: complex) -> Scalar:
     return value if value.imag else value.real
 
 
-NEWTON = 6  # Newton steps from an approximate root
+NEWTON_STEPS = 6  # Newton steps from an approximate root
 ROUNDED_RESULT_RTOL = 5e-5  # relative: largest error of a result computed from rounded numbers
 COMPLEX_STEP = 1e-30  # imaginary step of the complex-step derivative
 
@@ -168,7 +168,7 @@ class NumericRoot(Expression):
         """Return the root after Newton's method; complex values of symbols give exact derivatives."""
         plain = {name: value.real for name, value in at.items()}
         root = self.near
-        for _ in range(NEWTON):
+        for _ in range(NEWTON_STEPS):
             there = self.residual.value({**plain, self.name: root}, digits).real
             root -= there / self.slope(plain, root)
         if not any(isinstance(value, complex) for value in at.values()):

@@ -312,13 +312,13 @@ def balance(forces: Polynomial) -> tuple[Expression, Expression]:
     return positive.expression(), negative.expression()
 
 
-SUMMANDS = 5  # terms of the root, at most
+MAX_ROOT_TERMS = 5  # terms of the root, at most
 
 
 def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
     """Return the square root of a polynomial, positive for the known values `at`; None if it is no perfect square."""
     plain = [(m, part) for m, part in inside.terms.items() if part > 0.0 and all(power % 2 == 0 for _, power in m)]
-    if not 1 <= len(plain) <= SUMMANDS:
+    if not 1 <= len(plain) <= MAX_ROOT_TERMS:
         return None
     roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
     for signs in product((1.0, -1.0), repeat=len(roots) - 1):

@@ -153,10 +153,10 @@ SAMPLE_WINDOWS = (
     (0.3, 3.0),
     (0.7, 1.4),
 )  # ranges relative to the unknown; the second if formulas are undefined in the first
-POINTS = 14  # samples in a range
+SAMPLE_COUNT = 14  # samples in a range
 SINGULAR_VALUE_RTOL = 1e-11  # relative: largest singular value that counts as zero
 VISIBLE_TERM_RATIO = 1e-9  # relative to the largest term: smaller ones are left out of a stated equation
-MEANS = 1e-13  # relative to the largest coefficient: smaller ones are rounding errors
+COEFFICIENT_RTOL = 1e-13  # relative to the largest coefficient: smaller ones are rounding errors
 
 Basis = Sequence[Expression]
 Parts = tuple[Array, Array]
@@ -169,7 +169,7 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
     for power, basis, (above, below), _ in _fractions(chain, unknown, values):
         coefficients = above - target**power * below
         coefficients = coefficients / np.abs(coefficients).max()
-        equation = _summed(basis, coefficients, np.abs(coefficients) > MEANS)
+        equation = _summed(basis, coefficients, np.abs(coefficients) > COEFFICIENT_RTOL)
         closed = solved_for(unknown, equation, ZERO, {unknown: near})
         if not isinstance(closed, NumericRoot):
             return ClosedRoot(sum_terms(chain, -at), unknown, near, equation, closed)
@@ -212,7 +212,7 @@ def _bases(x: Symbol) -> Iterator[Basis]:
 def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[Array, Array] | None:
     """Return sample points near the unknown's value and the chain's values there; None if it is undefined."""
     for first, last in SAMPLE_WINDOWS:
-        points = values[unknown] * np.geomspace(first, last, POINTS)
+        points = values[unknown] * np.geomspace(first, last, SAMPLE_COUNT)
         try:
             samples = [chain.value({**values, unknown: x}) for x in points.tolist()]
         except (ValueError, ArithmeticError):

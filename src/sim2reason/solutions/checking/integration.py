@@ -105,7 +105,7 @@ MIN_ZERO_GAP, MIN_GAP_AFTER_START = (
     1e-9,
     1e-4,
 )  # fractions of a step with untrusted signs: between zeros, after one at the start
-ROUNDING = 1e-12  # relative to the largest term of a condition: the sign of smaller values is not trusted
+CONDITION_RTOL = 1e-12  # relative to the largest term of a condition: the sign of smaller values is not trusted
 MAX_UNKNOWNS, MAX_OCCURRENCES = 40, 10_000  # most coordinates or unknowns; most occurrences of an event
 ENDLESS = "a phase does not come to the end that is stated"
 
@@ -255,7 +255,7 @@ class _Phase:
         for one, other in pairwise([-1.0, *map(float, inside), 1.0]):
             time = piece.begin + 0.25 * piece.length * (one + other + 2.0)
             excess = self._excess_at(time)
-            if other - one > shortest and abs(excess) > ROUNDING * self._largest_term():
+            if other - one > shortest and abs(excess) > CONDITION_RTOL * self._largest_term():
                 yield Sample(time, excess)
 
     def _largest_term(self) -> float:

@@ -16,9 +16,9 @@ import numpy.typing as npt
 from numpy.polynomial import chebyshev
 
 LEGENDRE_NODES, LEGENDRE_WEIGHTS = np.polynomial.legendre.leggauss(20)
-HALVINGS = 40  # bisections of the distance to 90°, where the integrand varies fast for moduli close to 1
+MAX_BISECTIONS = 40  # bisections of the distance to 90°, where the integrand varies fast for moduli close to 1
 NEWTON_ITERATIONS = 60  # of Newton's method
-CONVERGED = 1e-15  # relative
+NEWTON_RTOL = 1e-15  # relative
 Derived = tuple[float, tuple[float, ...]]
 """A value with its derivatives by the arguments."""
 
@@ -53,7 +53,7 @@ def amplitude(integral: float, modulus: float) -> Derived:
         value, (slope, by_modulus) = incomplete_integral(angle, modulus)
         step = (value - integral) / slope
         angle -= step
-        if abs(step) <= CONVERGED * max(1.0, abs(angle)):
+        if abs(step) <= NEWTON_RTOL * max(1.0, abs(angle)):
             break
     value, (slope, by_modulus) = incomplete_integral(angle, modulus)
     return angle, (1.0 / slope, -by_modulus / slope)
@@ -61,7 +61,7 @@ def amplitude(integral: float, modulus: float) -> Derived:
 
 def _quadrature(angle: float, modulus: float) -> tuple[float, float]:
     """Return the integral up to an angle of at most 90°, and its derivative with respect to the modulus."""
-    ends = [0.5 * math.pi * (1.0 - 0.5**n) for n in range(HALVINGS)]
+    ends = [0.5 * math.pi * (1.0 - 0.5**n) for n in range(MAX_BISECTIONS)]
     places = [end for end in ends if end < angle] + [angle]
     value, slope = 0.0, 0.0
     for begin, end in pairwise(places):
@@ -80,15 +80,17 @@ ELLIPTIC_ARITY = {"elliptic K": 1, "elliptic F": 2, "amplitude": 2}
 Array: TypeAlias = npt.NDArray[np.float64]
 Slope: TypeAlias = Callable[[Array, Array], Array]
 
-DEGREE = 16
-CHEBYSHEV_NODES: Array = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+CHEBYSHEV_DEGREE = 16
+CHEBYSHEV_NODES: Array = -np.cos(np.pi * np.arange(CHEBYSHEV_DEGREE + 1) / CHEBYSHEV_DEGREE)
 COEFFICIENTS: Array = np.asarray(
-    np.linalg.inv(chebyshev.chebvander(CHEBYSHEV_NODES, DEGREE)), dtype=np.float64
+    np.linalg.inv(chebyshev.chebvander(CHEBYSHEV_NODES, CHEBYSHEV_DEGREE)), dtype=np.float64
 )  # Chebyshev coefficients from values at the nodes
 INTEGRALS: Array = (
-    chebyshev.chebvander(CHEBYSHEV_NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
+    chebyshev.chebvander(CHEBYSHEV_NODES, CHEBYSHEV_DEGREE + 1)
+    @ chebyshev.chebint(np.eye(CHEBYSHEV_DEGREE + 1), lbnd=-1)
+    @ COEFFICIENTS
 )  # integrals from -1 to each node
-TOLERANCE = 1e-13  # relative: largest final coefficients of the state in a step
+STEP_RTOL = 1e-13  # relative: largest final coefficients of the state in a step
 CONVERGENCE_RTOL, STALL_RTOL = 2e-15, 1e-12  # relative changes at which an iteration ends: at once; if it stalls
 PICARD_ITERATIONS = 40
 ERROR_SCALE_RATIO = 1e-3  # error scale: relative to the largest coordinate or rate, or in SI units, whichever is larger
@@ -131,15 +133,15 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
     """
     length, time, state = FIRST, begin, start
     while length > MIN_STEP_RATIO * max(FIRST, abs(time)):
-        guess = np.tile(state, (DEGREE + 1, 1))
+        guess = np.tile(state, (CHEBYSHEV_DEGREE + 1, 1))
         piece = _step(slope, Piece(time, length, guess), state, count)
-        ratio = np.inf if piece is None else float((tail(piece.states) / _sizes(piece.states, count)).max()) / TOLERANCE
+        ratio = np.inf if piece is None else float((tail(piece.states) / _sizes(piece.states, count)).max()) / STEP_RTOL
         if piece is None or not ratio <= 1.0 or not fits(piece):
-            length *= 0.25 if not np.isfinite(ratio) else min(0.7, max(0.2, 0.8 * ratio ** (-1.0 / DEGREE)))
+            length *= 0.25 if not np.isfinite(ratio) else min(0.7, max(0.2, 0.8 * ratio ** (-1.0 / CHEBYSHEV_DEGREE)))
             continue
         yield piece
         time, state = time + length, piece.states[-1]
-        length *= min(3.0, 0.9 * max(ratio, 1e-12) ** (-1.0 / DEGREE))
+        length *= min(3.0, 0.9 * max(ratio, 1e-12) ** (-1.0 / CHEBYSHEV_DEGREE))
 
 
 def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
@@ -150,7 +152,7 @@ def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
     begin, length = piece.state(piece.begin), time - piece.begin
     if length <= MIN_STEP_RATIO * piece.length:
         return begin
-    substep = _step(slope, Piece(piece.begin, length, np.tile(begin, (DEGREE + 1, 1))), begin, count)
+    substep = _step(slope, Piece(piece.begin, length, np.tile(begin, (CHEBYSHEV_DEGREE + 1, 1))), begin, count)
     return piece.state(time) if substep is None else substep.states[-1]
 
 

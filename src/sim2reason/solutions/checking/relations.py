@@ -46,8 +46,8 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
 
 
 NULL_SPACE_ATOL = 1e-9  # largest part of a determined symbol in the null space of the equations
-ROUNDING = 1e-13  # relative to its terms: smaller coefficients count as zero
-RANK = 1e-10  # relative: smaller singular values count as zero
+ZERO_COEFFICIENT_RTOL = 1e-13  # relative to its terms: smaller coefficients count as zero
+SINGULAR_VALUE_RTOL = 1e-10  # relative: smaller singular values count as zero
 STATED_NUMBER_RTOL = 2e-9  # relative: largest difference between a stated number and its formula
 UNDEFINED = (ArithmeticError, ValueError, KeyError)
 
@@ -218,7 +218,7 @@ class Relations:
     def _significant(self, tree: Tree) -> float:
         """Return the value of a coefficient; zero if it is only a rounding error of its terms."""
         number = value(tree, self.values)
-        return number if abs(number) > ROUNDING * magnitude_bound(tree, self.values) else 0.0
+        return number if abs(number) > ZERO_COEFFICIENT_RTOL * magnitude_bound(tree, self.values) else 0.0
 
 
 def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equation, str, Tree]]:
@@ -241,7 +241,7 @@ def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
     columns = np.abs(matrix).max(axis=0)
     columns[columns == 0.0] = 1.0
     left, sizes, ways = np.linalg.svd(matrix / columns, full_matrices=False)
-    kept = sizes > RANK * sizes.max(initial=0.0)
+    kept = sizes > SINGULAR_VALUE_RTOL * sizes.max(initial=0.0)
     numbers = ways[kept].T @ ((left[:, kept].T @ right) / sizes[kept]) / columns
     certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - NULL_SPACE_ATOL
     return {name: float(x) for name, x, sure in zip(names, numbers, certain, strict=True) if sure}

@@ -26,8 +26,8 @@ Array: TypeAlias = npt.NDArray[np.float64]
 EvaluateAll = Callable[[Mapping[str, float | Array]], float | Array]
 
 NODES, DEPTH = 4000, 100  # most nodes and greatest depth of a tree
-ITERATIONS = 60  # of Newton's method
-CONVERGED = 4e-16  # relative
+NEWTON_ITERATIONS = 60  # of Newton's method
+CONVERGENCE_RTOL = 4e-16  # relative
 STATED_ROOT_RTOL = 1e-4  # relative: rounding of roots, which are stated to five digits
 SAMPLES = 8  # subintervals searched for other roots
 FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]]] = {
@@ -271,14 +271,14 @@ def root(tree: list[Tree], at: Values) -> float:
     assert isinstance(name, str)
     there, x = dict(at), float(near)  # type: ignore[arg-type]
     last = math.inf
-    for _ in range(ITERATIONS):
+    for _ in range(NEWTON_ITERATIONS):
         there[name] = x
         off, slopes = derivatives(residual, there)
         slope = slopes.get(name, 0.0)
         if not slope:
             break
         step = off / slope
-        if abs(step) <= CONVERGED * abs(x) or (abs(step) >= 0.5 * last and abs(step) <= 1e-12 * abs(x)):
+        if abs(step) <= CONVERGENCE_RTOL * abs(x) or (abs(step) >= 0.5 * last and abs(step) <= 1e-12 * abs(x)):
             return x
         x, last = x - step, abs(step)
     raise TreeError(f"no root for {name} near {near}")

@@ -36,9 +36,9 @@ MAX_LENGTH_BY_PARTS = 400  # characters: simplifying longer formulas part by par
 MAX_SYMBOLS_BY_PARTS = 80  # symbols in a formula that is simplified part by part, at most
 SHORTER_RATIO = 0.9  # relative length of a form that replaces a plainer one, at most
 LEADING_MINUS_PENALTY = 8  # characters that a leading minus sign costs
-FACTORED = 30  # terms of a factored polynomial, at most
+MAX_FACTORED_TERMS = 30  # terms of a factored polynomial, at most
 FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
-TERMS = 40  # terms in a numerator or denominator, at most
+MAX_FRACTION_TERMS = 40  # terms in a numerator or denominator, at most
 
 
 OPERATIONS = ((Sum, add), (Product, mul), (Quotient, truediv))
@@ -132,7 +132,7 @@ class RationalFunctions:
 
     def _sized(self, found: Any) -> Any:
         """Return a rational function unchanged; TooLongError if it has too many terms."""
-        if max(len(found.numer), len(found.denom)) > TERMS:
+        if max(len(found.numer), len(found.denom)) > MAX_FRACTION_TERMS:
             raise TooLongError
         return found
 
@@ -192,7 +192,7 @@ class RationalFunctions:
 
     def _product(self, side: Any) -> Expression:
         """Return a polynomial as a product of its irreducible factors."""
-        factor, parts = _factored(side) if len(side) <= FACTORED else (1, [(side, 1)])
+        factor, parts = _factored(side) if len(side) <= MAX_FACTORED_TERMS else (1, [(side, 1)])
         number, factors = float(factor), list[Expression]()
         for part, power in sorted(parts, key=lambda pair: len(pair[0])):
             sign, plain = _signed(part)

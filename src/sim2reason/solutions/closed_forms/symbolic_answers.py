@@ -221,7 +221,7 @@ def _summands(formula: Expression, names: Sequence[str]) -> list[Expression]:
 
 SAMPLES = 40
 BAR = r"\left|"
-DECADES = 1.0  # random factors range over this many decades up and down
+FACTOR_DECADES = 1.0  # random factors range over this many decades up and down
 
 
 def has_either_sign(
@@ -288,7 +288,9 @@ def _signs(
     random = np.random.default_rng(0)
     for _ in range(SAMPLES):
         at = {
-            name: random.uniform(0.1, 1.5) if name in angles else value * 10.0 ** random.uniform(-DECADES, DECADES)
+            name: random.uniform(0.1, 1.5)
+            if name in angles
+            else value * 10.0 ** random.uniform(-FACTOR_DECADES, FACTOR_DECADES)
             for name, value in book.values.items()
             if name not in formulas
         }

@@ -38,7 +38,7 @@ class Impact:
     meeting: int
 
 
-ALIGNED = 1e-9  # a unit vector's component, or its difference from 1, below which directions are aligned
+ALIGNMENT_ATOL = 1e-9  # a unit vector's component, or its difference from 1, below which directions are aligned
 
 
 class FreeFlights(ABC):
@@ -282,7 +282,7 @@ class FreeFlights(ABC):
         """Return the words for the axis of a coordinate; empty if the body of the coordinate has only one axis."""
         label = self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
-        upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNED else ""
+        upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNMENT_ATOL else ""
         return f" along {label}{upward}" if several else ""
 
     def motion_subscript(self, body: str, k: int) -> str:
@@ -305,9 +305,9 @@ class FreeFlights(ABC):
         for body in meeting.names:
             for k, axis in self.coordinates(body).items():
                 along = dot(axis, meeting.normal)
-                if abs(along) > 1.0 - ALIGNED:
+                if abs(along) > 1.0 - ALIGNMENT_ATOL:
                     coordinates[body] = (k, 1.0 if along > 0.0 else -1.0)
-                elif abs(along) > ALIGNED:
+                elif abs(along) > ALIGNMENT_ATOL:
                     raise UnsolvedError("a wall stands at an angle to the motion")
         return coordinates
 

@@ -21,7 +21,7 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.collisions.flights import ALIGNED, Flight, Impact
+from sim2reason.solutions.collisions.flights import ALIGNMENT_ATOL, Flight, Impact
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.goals import MotionPart
@@ -219,7 +219,7 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
 def _velocity(flights: Impacts, body: str, k: int) -> str:
     """Return words for the velocity of a body along a coordinate, such as *vertical velocity of ball A*."""
     coordinate, who = flights.mechanism.coordinates[k], flights.setting.display_name(body)
-    if coordinate.axis[2] > 1.0 - ALIGNED:
+    if coordinate.axis[2] > 1.0 - ALIGNMENT_ATOL:
         return f"vertical velocity of {who}"
     plane = len(flights.mechanism.body[body].coordinates) > 1
     return f"velocity of {who} along {coordinate.label}" if plane else f"velocity of {who}"

@@ -15,7 +15,7 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
+from sim2reason.solutions.collisions.flights import ALIGNMENT_ATOL, FreeFlights, Impact
 from sim2reason.solutions.setting import capitalized
 from sim2reason.solutions.writing.notation import SECONDS, SPEED
 from sim2reason.solutions.writing.steps import record_inequality, why_this_time
@@ -124,14 +124,14 @@ class Impacts(FreeFlights, ABC):
     def obstacle(self, meeting: int) -> str:
         """Return the words for a fixed obstacle, such as *the left wall*."""
         normal = self.mechanism.meetings[meeting].normal
-        if normal is not None and normal[2] > 1.0 - ALIGNED:
+        if normal is not None and normal[2] > 1.0 - ALIGNMENT_ATOL:
             return "the ground"
         normals = {pair.normal for pair in self.mechanism.meetings if pair.a is None}
         if normal is None or len(normals) == 1:
             return "the wall"
         x, y, z = normal
-        if abs(y) > ALIGNED:  # of a table, on which y points away from the reader or up the slope
-            ends = ("lower", "upper") if abs(z) > ALIGNED else ("near", "far")
+        if abs(y) > ALIGNMENT_ATOL:  # of a table, on which y points away from the reader or up the slope
+            ends = ("lower", "upper") if abs(z) > ALIGNMENT_ATOL else ("near", "far")
             return f"the {ends[0] if y > 0.0 else ends[1]} wall"
         return "the left wall" if x > 0.0 else "the right wall"
 

@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 AXES = ("x", "y")
 LAW = "Newton's second law"
-TURNS = (1.0, -1.0)  # signs of the magnetic acceleration: a_x = Ω v_y, a_y = −Ω v_x
+MAGNETIC_SIGNS = (1.0, -1.0)  # signs of the magnetic acceleration: a_x = Ω v_y, a_y = −Ω v_x
 
 
 @dataclass(frozen=True, slots=True)
@@ -260,7 +260,7 @@ class Fields:
         if self.electric_acceleration is not None and self.electric_acceleration.axis == axis:
             total = total + self.electric_acceleration.at(time, moved)
         if self.turning is not None:
-            total = total + self.turning * rate(1 - axis) * TURNS[axis]
+            total = total + self.turning * rate(1 - axis) * MAGNETIC_SIGNS[axis]
         if self.linear_drag_rate is not None:
             total = total - self.linear_drag_rate * rate(axis)
         if self.drag != ZERO:

@@ -5,7 +5,7 @@ from functools import reduce
 from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiply_factors
 from sim2reason.solutions.algebra.functions import Call, Power, Root, vector_length
-from sim2reason.solutions.fields.forces import AXES, TURNS, ElectricAcceleration, Fields
+from sim2reason.solutions.fields.forces import AXES, MAGNETIC_SIGNS, ElectricAcceleration, Fields
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.writing.notation import ACCELERATION, METRES, PER_SECOND_SQUARED, SPEED
@@ -31,7 +31,7 @@ class CrossedFieldsMotion(ElectricMotion):
     def initial_acceleration(self) -> Expression:
         """Return the initial acceleration along the electric field, with the magnetic force."""
         axis = self._drive.axis
-        turned = self._turning * self.launch[1 - axis] * TURNS[axis]
+        turned = self._turning * self.launch[1 - axis] * MAGNETIC_SIGNS[axis]
         if turned == ZERO:
             return self._drive.strength
         text = f"With the magnetic force, the initial acceleration along {AXES[axis]} is"
@@ -42,7 +42,7 @@ class CrossedFieldsMotion(ElectricMotion):
         """Return the gradient of the acceleration along the electric field, reduced by the magnetic force, 1/s²."""
         assert self._drive.slope is not None
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
-        turned = self._turning * self.fields.places[self._drive.axis] * TURNS[1 - self._drive.axis]
+        turned = self._turning * self.fields.places[self._drive.axis] * MAGNETIC_SIGNS[1 - self._drive.axis]
         other = (self.launch[1 - self._drive.axis] + turned).latex()
         text = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the acceleration along"
         text = f"{text} {along} changes with {along} at the rate"
@@ -54,14 +54,14 @@ class CrossedFieldsMotion(ElectricMotion):
         if axis == along:
             return self._along(time)
         summed = self.center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
-        return self.launch[axis] * time + self._turning * TURNS[axis] * summed
+        return self.launch[axis] * time + self._turning * MAGNETIC_SIGNS[axis] * summed
 
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return a velocity component; that across the electric field is linear in the displacement along the field."""
         along = self._drive.axis
         if axis == along:
             return super().rate(axis, time)
-        return self.launch[axis] + self._turning * TURNS[axis] * self._along(time)
+        return self.launch[axis] + self._turning * MAGNETIC_SIGNS[axis] * self._along(time)
 
     def _along(self, time: Expression) -> Expression:
         """Return the displacement along the electric field, as a named symbol at the moment asked about."""
@@ -81,7 +81,7 @@ class QuadraticDragMotion(FieldMotion):
         """Return a component of the initial velocity, rotated and divided by 1 + γ t, as quadratic drag reduces it."""
         component, turning = self.launch[axis], self.fields.turning
         if turning is not None:
-            across = self.launch[1 - axis] * TURNS[axis]
+            across = self.launch[1 - axis] * MAGNETIC_SIGNS[axis]
             component = component * Call("cos", turning * time) + across * Call("sin", turning * time)
         return component / (ONE + self.fields.drag * time)
 
@@ -118,12 +118,12 @@ class RotatingMotion(FieldMotion):
         i, f, turns = drive.axis, drive.strength, self.turning
         if self.fields.linear_drag_rate is not None:
             both = Power(self.fields.linear_drag_rate, 2) + Power(turns, 2)
-            drift[i], drift[1 - i] = self.fields.linear_drag_rate * f / both, -(turns * f / both) * TURNS[i]
+            drift[i], drift[1 - i] = self.fields.linear_drag_rate * f / both, -(turns * f / both) * MAGNETIC_SIGNS[i]
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
-            drift[i], drift[1 - i] = f * drive.frequency / gap, f * turns / gap * TURNS[i]
+            drift[i], drift[1 - i] = f * drive.frequency / gap, f * turns / gap * MAGNETIC_SIGNS[i]
         else:
-            drift[1 - i] = -(f / turns) * TURNS[i]
+            drift[1 - i] = -(f / turns) * MAGNETIC_SIGNS[i]
             if drive.growth is not None:
                 drift[i] = drive.growth / Power(turns, 2)
         return self._told_drift(drive, drift)
@@ -165,14 +165,14 @@ class RotatingMotion(FieldMotion):
         equations: list[tuple[Expression, Expression]] = []
         for axis in (0, 1):
             right: Expression = drive.strength if axis == drive.axis else ZERO
-            right = right + self.turning * names[1 - axis] * TURNS[axis]
+            right = right + self.turning * names[1 - axis] * MAGNETIC_SIGNS[axis]
             if self.fields.linear_drag_rate is not None:
                 right = right - self.fields.linear_drag_rate * names[axis]
             if drive.frequency is not None:
                 left = drive.frequency * names[axis]
                 equations.append((left if axis == drive.axis else -left, right))
             elif drive.growth is not None and axis != drive.axis:
-                equations.append((-(drive.growth / self.turning) * TURNS[drive.axis], right))
+                equations.append((-(drive.growth / self.turning) * MAGNETIC_SIGNS[drive.axis], right))
             else:
                 equations.append((right, ZERO))
         return equations
@@ -225,7 +225,7 @@ class RotatingMotion(FieldMotion):
                 return ZERO if axis == drive.axis else drift
             return drift * Call("sin" if axis == drive.axis else "cos", drive.frequency * time)
         if drive.growth is not None and axis != drive.axis and time is not None:
-            return drift - drive.growth / self.turning * time * TURNS[drive.axis]
+            return drift - drive.growth / self.turning * time * MAGNETIC_SIGNS[drive.axis]
         return drift
 
     def drift_displacement(self, axis: int, time: Expression) -> Expression:
@@ -239,7 +239,9 @@ class RotatingMotion(FieldMotion):
             return drift / drive.frequency * part
         displacement = drift * time
         if drive.growth is not None and axis != drive.axis:
-            displacement = displacement - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
+            displacement = (
+                displacement - HALF * drive.growth / self.turning * Power(time, 2) * MAGNETIC_SIGNS[drive.axis]
+            )
         return displacement
 
     @cached_property
@@ -273,7 +275,10 @@ class RotatingMotion(FieldMotion):
 
     def course(self, axis: int, time: Expression) -> Expression:
         """Return a velocity component in terms of the initial components."""
-        here, other = self.initial_rotating_velocity[axis], self.initial_rotating_velocity[1 - axis] * TURNS[axis]
+        here, other = (
+            self.initial_rotating_velocity[axis],
+            self.initial_rotating_velocity[1 - axis] * MAGNETIC_SIGNS[axis],
+        )
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
         if self.fields.linear_drag_rate is not None:
@@ -282,7 +287,10 @@ class RotatingMotion(FieldMotion):
 
     def displacement(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis, m: the integral of the velocity."""
-        here, other = self.initial_rotating_velocity[axis], self.initial_rotating_velocity[1 - axis] * TURNS[axis]
+        here, other = (
+            self.initial_rotating_velocity[axis],
+            self.initial_rotating_velocity[1 - axis] * MAGNETIC_SIGNS[axis],
+        )
         turns, damping, phase = self.turning, self.fields.linear_drag_rate, self.turning * time
         sine, cosine = Call("sin", phase), Call("cos", phase)
         if damping is None:

@@ -9,7 +9,7 @@ from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, V
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.root_finding import SMALLEST, root_sentence
-from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
+from sim2reason.solutions.fields.forces import AXES, MAGNETIC_SIGNS, Fields
 from sim2reason.solutions.fields.magnetic_motion import RotatingMotion
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.setting import capitalized
@@ -70,7 +70,7 @@ class Reach:
         size = self.book.magnitude(size)
         what = "The circle on which it moves" if drive is None else "The circle that the rotating part leads it round"
         size = self.book.add_step("circle", f"{what} has the radius", self.book.fresh("R"), size / pace, METRES)
-        center = parts[1 - self.axis] * TURNS[self.axis] / turns
+        center = parts[1 - self.axis] * MAGNETIC_SIGNS[self.axis] / turns
         if center == ZERO:
             return ZERO, size
         what = "the velocity" if drive is None else "this part of the velocity"
@@ -246,7 +246,7 @@ class FieldTurn:
             return TWO_TURNS * swing.center if kind == "s" else None
         if turning is None:
             return None
-        bent = turning * TURNS[axis] * swing.center
+        bent = turning * MAGNETIC_SIGNS[axis] * swing.center
         launched = self.fields.launch[axis]
         return launched + TWO_TURNS * bent if kind == "v" else (launched + bent) * time if kind == "s" else None
 
@@ -269,7 +269,7 @@ class FieldTurn:
             return self.fields.launch[axis] - TWO_TURNS * motion.initial_rotating_velocity[axis]
         return (
             motion.drift_displacement(axis, time)
-            + TWO_TURNS * motion.initial_rotating_velocity[1 - axis] * TURNS[axis] / motion.turning
+            + TWO_TURNS * motion.initial_rotating_velocity[1 - axis] * MAGNETIC_SIGNS[axis] / motion.turning
         )
 
     def lead_text(self, kind: str, axis: int) -> str:

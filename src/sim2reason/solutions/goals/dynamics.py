@@ -10,7 +10,7 @@ from sim2reason.solutions.goals import GOALS, Goal, KnownMotion, VectorName, mag
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES, along_sense, squared
 from sim2reason.solutions.setting import ProblemContext, capitalized
 
-UP = (0.0, 0.0, 1.0)
+UP_DIRECTION = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ class PotentialEnergyGoal(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the rise, then the magnitude of the change in energy."""
         body = target.subject
-        rise = known.component(DISPLACEMENTS.base, body, UP)
+        rise = known.component(DISPLACEMENTS.base, body, UP_DIRECTION)
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName.for_quantity("potential energy"), known.setting.subscript_of(body)
         size = modulus(formula, known.book, of_either_sign=True)

@@ -19,14 +19,14 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, square_roo
 from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-ROUNDING = 1e-12  # m: smaller coordinates of a body count as zero
+ZERO_COORDINATE_ATOL = 1e-12  # m: smaller coordinates of a body count as zero
 
 
 def _exact(mechanism: Mechanism) -> Mechanism:
     """Return the mechanism with rounding errors in coordinates set to zero, so that copies with other numbers match."""
 
     def rounded(vector: Vector) -> Vector:
-        x, y, z = (0.0 if abs(part) < ROUNDING else part for part in vector)
+        x, y, z = (0.0 if abs(part) < ZERO_COORDINATE_ATOL else part for part in vector)
         return x, y, z
 
     bodies = tuple(

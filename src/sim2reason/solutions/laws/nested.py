@@ -32,7 +32,7 @@ MAX_SUBSTITUTED_LENGTH = 1000  # characters: no substitution into longer formula
 
 NEW_SUBSCRIPT = r"\text{new}"
 REPEATED_CHECK_PREFIX = "still holds"  # begins the labels of comparisons that also hold for another value of a number
-UNSHORTENED = 200  # characters: longer formulas hardly become short
+MAX_SHORTENED_LENGTH = 200  # characters: longer formulas hardly become short
 MAX_INSERTION_LENGTH = 130  # characters of a formula into which another value is substituted, at most
 
 
@@ -132,7 +132,7 @@ def short_formula(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Ex
 
 def _shortened(formula: Expression) -> Expression | None:
     """Return a formula in simplified form; None if the simplified form is still long."""
-    if len(formula.latex()) > UNSHORTENED:
+    if len(formula.latex()) > MAX_SHORTENED_LENGTH:
         return None
     try:
         simplified = simplified_form(formula)

@@ -16,7 +16,7 @@ from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.notation import NEWTONS
 from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 
-TWICE = 2.0
+DOUBLE_RATIO = 2.0
 
 
 def balanced_tensions(
@@ -46,7 +46,7 @@ def balanced_tensions(
 def doubling_reason(dynamics: Dynamics, row: Row) -> str:
     """Return a clause with the reason why a pulley's acceleration has the factor 2 in a law; "" if none has."""
     indices = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
-    twice = [k for k in indices if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
+    twice = [k for k in indices if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == DOUBLE_RATIO]
     bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:

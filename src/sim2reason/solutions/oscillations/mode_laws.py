@@ -96,7 +96,7 @@ def normalized_single_mode(modes: list[Mode]) -> list[Mode]:
 
 ZERO_MODE_RTOL = 1e-9  # relative to the largest λ: a smaller one means no restoring force
 MAX_COEFFICIENT_LENGTH = 160  # maximum length of the LaTeX of coefficients that are written as formulas
-PAIR = 2  # number of free coordinates with which a mode shape has one unknown share
+TWO_COORDINATES = 2  # number of free coordinates with which a mode shape has one unknown share
 EXCITATION_RTOL = 1e-10  # relative to the largest part: below it the start does not excite a mode
 
 
@@ -309,7 +309,7 @@ class ModeLaws:
     @staticmethod
     def _order(place: int, count: int) -> str:
         """Return the rank of a root among `count` in ascending order, in words, such as *second smallest*."""
-        if count == PAIR:
+        if count == TWO_COORDINATES:
             return ("smaller", "greater")[place]
         return "greatest" if place == count - 1 else ("smallest", "second smallest", "third smallest")[place]
 
@@ -321,7 +321,7 @@ class ModeLaws:
 
     def _mark(self, i: int, mode: Mode) -> str:
         """Return the subscript of a component of a mode shape: the mode, after the body if there are several."""
-        if self.size == PAIR:
+        if self.size == TWO_COORDINATES:
             return str(mode.number + 1)
         own = self.names[i].name.partition("_")[2]
         own = own[1:-1] if own.startswith("{") else own

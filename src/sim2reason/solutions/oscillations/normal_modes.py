@@ -14,7 +14,7 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symb
 from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.oscillations.mode_laws import PAIR, Mode, ModeLaws, dotted, place
+from sim2reason.solutions.oscillations.mode_laws import TWO_COORDINATES, Mode, ModeLaws, dotted, place
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.writing.notation import (
     ACCELERATION,
@@ -38,7 +38,7 @@ def natural_frequency(laws: ModeLaws, query: PeriodQuery) -> Symbol:
     if query.small and query.modes > 1:
         which = SPEEDS[query.modes][query.rank > 0]
         text = f"As each root is the square of an angular frequency, the {which} mode has the {SMALLER[which]} one:"
-        if laws.size - laws.zeros == PAIR and laws.book.is_hidden(mode.square) and not laws.book.in_symbols:
+        if laws.size - laws.zeros == TWO_COORDINATES and laws.book.is_hidden(mode.square) and not laws.book.in_symbols:
             laws.book.afterwards.append(lambda: _tell_other_root(laws, mode, query))
     name = laws.book.fresh(r"\omega")
     return laws.book.add_step("rate", text, name, Root(mode.square), ANGULAR_SPEED)
@@ -61,7 +61,7 @@ def _tell_other_root(laws: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
 
 
 EXCITATION_RTOL = 1e-10  # relative to the largest part: below it the start does not excite a mode
-ACCELERATED = 2  # order of the time derivative that is an acceleration
+ACCELERATION_ORDER = 2  # order of the time derivative that is an acceleration
 Form = tuple[Array, int]
 """A linear combination of displacements: a weight per free coordinate, (n,), and the order of a time derivative."""
 
@@ -91,7 +91,7 @@ class NormalModes(ModeLaws):
         """
         if n >= self.zeros:
             return inf
-        return ACCELERATED if self._pushed(n) else ACCELERATED - 1
+        return ACCELERATION_ORDER if self._pushed(n) else ACCELERATION_ORDER - 1
 
     def _pushed(self, n: int) -> bool:
         """Return whether the net forces at the initial positions excite mode n."""
@@ -157,7 +157,7 @@ class NormalModes(ModeLaws):
         definitions = join_words([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
         step.add_text(f"Let {definitions}{self._sums(found)}.")
         rest = "Normal modes are orthogonal"
-        if len(found) == self.size == PAIR:
+        if len(found) == self.size == TWO_COORDINATES:
             rest = f"{rest}, {step.derived(self._product(*found), ZERO)}"
         step.add_text(
             f"{rest}, so the equations of motion, each multiplied by the share of its displacement in one mode, add up "

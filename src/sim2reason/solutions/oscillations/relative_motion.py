@@ -76,7 +76,7 @@ class MomentumWords:
 
 
 HALF = Number(0.5)
-DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
+HORIZONTAL_DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
 
 
 class RelativeMotion:
@@ -91,7 +91,7 @@ class RelativeMotion:
             raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
         if len({motion.mechanism.coordinates[i].body for i in motion.free}) < len(motion.free):
             raise UnsolvedError("a single body moves in two directions")
-        directions = [direction for direction in DIRECTIONS if self._is_conserved(direction)]
+        directions = [direction for direction in HORIZONTAL_DIRECTIONS if self._is_conserved(direction)]
         if len(directions) != 1:
             raise UnsolvedError("no momentum is conserved")
         self.way = directions[0]

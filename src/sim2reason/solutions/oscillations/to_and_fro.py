@@ -208,12 +208,12 @@ def _write(
 
 
 REST_SPEED_RTOL = 1e-6  # relative to the greatest speed: below it the body counts as at rest
-SCAN = 2001
+SCAN_SAMPLES = 2001
 
 
 def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
     """Return the times, s, up to `until` at which a coordinate turns back, by the engine."""
-    times = np.linspace(0.0, until, SCAN)
+    times = np.linspace(0.0, until, SCAN_SAMPLES)
     speeds = trace.sample(times).v[:, coordinate]
     moving = np.flatnonzero(np.abs(speeds) > REST_SPEED_RTOL * float(np.abs(speeds).max()))
     times, speeds = times[moving], speeds[moving]

@@ -40,7 +40,7 @@ from sim2reason.solutions.writing.notation import DEGREES, NEWTONS, SECONDS, lat
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 ZERO_TOLERANCE = 1e-12  # in SI units: tolerance of zero
-WIDTH = 2e-3  # half-width of the search for an extreme value, relative to the time of the question
+EXTREME_SEARCH_RTOL = 2e-3  # half-width of the search for an extreme value, relative to the time of the question
 QUESTION_MOMENT = "the moment asked about"
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
@@ -132,7 +132,7 @@ class IntegratedPhases:
             self.book.reserve(name)
             self.book.state_given(name, value, unit)
         if self.setting.query.kind == "extremum" and last:
-            self.time = refine_zero(inner, formulas[-1], self.time, WIDTH * self.setting.time)
+            self.time = refine_zero(inner, formulas[-1], self.time, EXTREME_SEARCH_RTOL * self.setting.time)
             stretch = replace(stretch, ends=self.time)
         until = locate_condition(inner, formulas, stretch.segment.start, stretch.ends)
         names, forces = self._ended(inner, stretch)

@@ -26,7 +26,7 @@ from sim2reason.solutions.writing.lexicon import DualValue
 from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS
 from sim2reason.solutions.writing.steps import UnsolvedError
 
-SAMPLES = 2000  # instants of a phase at which a condition is evaluated
+CONDITION_SAMPLES = 2000  # instants of a phase at which a condition is evaluated
 ZERO_TOLERANCE = 1e-12  # in SI units: tolerance of zero
 ZERO_RTOL = 1e-6  # tolerance at the end of a phase, relative to the largest value of a condition
 EDGE_FRACTION = 1e-4  # fraction of a phase at both ends in which sign changes are ignored
@@ -269,7 +269,7 @@ def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], 
     Raises:
         UnsolvedError: none of the formulas has a zero there in the motion of the engine.
     """
-    inner = np.linspace(begin, end, SAMPLES + 1)[1:-1]
+    inner = np.linspace(begin, end, CONDITION_SAMPLES + 1)[1:-1]
     times = np.append(inner, begin + (1.0 - 1e-9) * (end - begin))
     known = equations.sampled(times)
     for formula in formulas:
@@ -277,7 +277,7 @@ def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], 
         last, before = float(values[-1]), values[:-1]
         if np.isfinite(values).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), ZERO_TOLERANCE):
             rises = 1 if before[-1] < 0.0 else -1
-            edge = max(2, int(EDGE_FRACTION * SAMPLES))
+            edge = max(2, int(EDGE_FRACTION * CONDITION_SAMPLES))
             signs = np.sign(before[edge:-edge])
             changes = np.flatnonzero(np.diff(signs) != 0)
             return Condition(formula, rises, 1 + sum(1 for n in changes if signs[n + 1] == rises))

@@ -99,8 +99,8 @@ ACCUMULATION_RATES: Mapping[str, Callable[[PhaseEquations, str], Expression]] = 
 }
 
 
-SAMPLES = 4000  # instants at which the quantity is evaluated
-BISECTIONS = 60  # bisections of an interval with the zero of a rate
+EXTREME_SAMPLES = 4000  # instants at which the quantity is evaluated
+BISECTION_STEPS = 60  # bisections of an interval with the zero of a rate
 
 
 def extreme_time(motion: Motion, functional: str, name: str, end: float) -> float:
@@ -108,7 +108,7 @@ def extreme_time(motion: Motion, functional: str, name: str, end: float) -> floa
     definition = FUNCTIONALS[functional]
     if not isinstance(definition, Extreme):
         raise UnsolvedError(f"{functional} is no greatest or least value")
-    times = np.linspace(0.0, end, SAMPLES + 1)[1:-1]
+    times = np.linspace(0.0, end, EXTREME_SAMPLES + 1)[1:-1]
     return float(times[int(np.argmax(definition.height(motion.state(times), name)))])
 
 
@@ -145,7 +145,7 @@ def refine_zero(equations: PhaseEquations, formula: Expression, near: float, wid
     below, above = at(low), at(high)
     if not below * above < 0.0:
         raise UnsolvedError("the extreme value is no zero of the rate")
-    for _ in range(BISECTIONS):
+    for _ in range(BISECTION_STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if at(middle) * below > 0.0 else (low, middle)
     return 0.5 * (low + high)

@@ -31,7 +31,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
 PATH_LENGTH_RTOL = 1e-6  # relative tolerance between path length and displacement of a motion without turning back
-SAMPLES = 401
+PATH_SAMPLES = 401
 
 
 @strategy
@@ -210,7 +210,7 @@ class _Asked(CarriageLaws):
         if not self._rides:
             raise UnsolvedError("a curved path")
         m = self.setting.mechanism
-        times = np.linspace(0.0, self.setting.time, SAMPLES)
+        times = np.linspace(0.0, self.setting.time, PATH_SAMPLES)
         ways = self.setting.study.trace.sample(times).q[:, m.number[m.body[self.subject].coordinates[0].name]]
         if float(np.abs(np.diff(ways)).sum()) > (1.0 + PATH_LENGTH_RTOL) * abs(float(ways[-1])):
             raise UnsolvedError("it turns back on the way")

@@ -223,7 +223,7 @@ class LimitingBalance(LimitingDynamics):
 
 
 THRESHOLD_OFFSET = 1e-5  # relative distance from the threshold at which the motion is simulated
-INSTANT = 1e-6  # s, duration of that simulation
+SIMULATED_TIME = 1e-6  # s, duration of that simulation
 THRESHOLD_RTOL = 1e-3  # relative tolerance between the thresholds of the laws and of the engine
 
 
@@ -300,7 +300,7 @@ def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
     for side in (1.0 + THRESHOLD_OFFSET, 1.0 - THRESHOLD_OFFSET):
         if trial(limit * side):
             scene = setting.scene.having(query.parameter, limit * side)
-            return motion(scene.mechanism, INSTANT).segments[0]
+            return motion(scene.mechanism, SIMULATED_TIME).segments[0]
     raise UnsolvedError("it comes about on neither side of the limit")
 
 

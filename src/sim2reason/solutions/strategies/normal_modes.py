@@ -26,7 +26,7 @@ from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes, na
 from sim2reason.solutions.oscillations.to_and_fro import BackAndForthTravel, turning_times
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import PAIR, no_oscillation_reason
+from sim2reason.solutions.strategies.oscillation import TWO_COORDINATES, no_oscillation_reason
 from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
@@ -50,7 +50,7 @@ class SeveralModes(Strategy):
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the question kinds that have a compact formula: ``period`` for at most two modes, else none."""
-        return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
+        return frozenset({"period"} if min_free_coordinates(mechanism) <= TWO_COORDINATES else ())
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that an oscillation strategy does not apply to a question; else empty."""
@@ -130,7 +130,7 @@ class _Modal(LinearMotionModel):
             return
         modes = self._all
         rates = [n for n in modes.contributing_modes(self._as_forms(self._sought)) if n >= modes.zeros]
-        if modes.size - modes.zeros > PAIR or len(rates) > 1:
+        if modes.size - modes.zeros > TWO_COORDINATES or len(rates) > 1:
             raise UnsolvedError(f"it needs more: {Need.ROOT.label}")
 
     # ---- the moment

@@ -39,7 +39,7 @@ SUMS = (
     *("distance travelled", "impulse of the net force", "impulse of a tension", "work of a tension"),
     "energy dissipated by friction",
 )
-PAIR = 2  # free coordinates of which one mode is left if a momentum is conserved
+TWO_COORDINATES = 2  # free coordinates of which one mode is left if a momentum is conserved
 
 
 @strategy
@@ -53,7 +53,7 @@ class Oscillation(Strategy):
     def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return no_oscillation_reason(mechanism) or (
-            "there are several modes" if min_free_coordinates(mechanism) > PAIR else ""
+            "there are several modes" if min_free_coordinates(mechanism) > TWO_COORDINATES else ""
         )
 
     def why_not_applicable(self, setting: ProblemContext) -> str:

@@ -31,7 +31,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, Uns
 
 HALF, TWO = Number(0.5), Number(2.0)
 MIN_RUN_TO_RISE = 0.01  # ratio of run to rise below which the tangent would lose too many digits
-PLANE = 2  # number of coordinates in a plane
+PLANE_DIMENSIONS = 2  # number of coordinates in a plane
 
 
 @strategy
@@ -56,7 +56,7 @@ class PlaneSprings(Strategy):
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
-            return "" if query.small and query.modes == PLANE else "no way to motions that are not small"
+            return "" if query.small and query.modes == PLANE_DIMENSIONS else "no way to motions that are not small"
         known = target is not None and target.quantity in GOALS
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
@@ -72,14 +72,18 @@ class PlaneSprings(Strategy):
 def _held_in_a_plane(m: Mechanism) -> bool:
     others = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
     slides = all(c.kind == "slide" and abs(c.axis[2]) < DIRECTION_TOLERANCE for c in m.coordinates)
-    if others or len(m.bodies) != 1 or len(m.coordinates) != PLANE or not slides:
+    if others or len(m.bodies) != 1 or len(m.coordinates) != PLANE_DIMENSIONS or not slides:
         return False
     return all(isinstance(line.law, Elastic) and not line.law.side and _nail(m, line) for line in m.lines)
 
 
 def _nail(m: Mechanism, line: Line) -> str:
     """Return the fixed end of a spring; empty if it has none."""
-    return next((site for site in line.through if m.site[site].body is None), "") if len(line.through) == PLANE else ""
+    return (
+        next((site for site in line.through if m.site[site].body is None), "")
+        if len(line.through) == PLANE_DIMENSIONS
+        else ""
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +137,7 @@ class _Held(StraightMotion):
         m, lexicon = self.mechanism, self.setting.lexicon
         body, nails = m.bodies[0].name, [_nail(m, line) for line in m.lines]
         positions: list[list[Polynomial]] = []
-        for axis in range(PLANE):
+        for axis in range(PLANE_DIMENSIONS):
             pairs: list[tuple[float, ...]] = []
             for f in (initial_frames(m), initial_frames(lexicon.twin)):
                 points = [f.center(body).place, *(f.site(nail).place for nail in nails)]

@@ -171,7 +171,7 @@ class _Angular(SwingState):
 
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
-STEP = 1e-6  # relative change of a number to find how the result depends on it
+RELATIVE_STEP = 1e-6  # relative change of a number to find how the result depends on it
 TAUT = "The string stays taut if the body turns back below the fixed point."
 BELOW = f"{TAUT} By conservation of energy, the square of the speed at that height is"
 TENSE = "At the top the string stays taut if the centripetal force required is greater than the weight."
@@ -234,7 +234,7 @@ def _varied(setting: ProblemContext, book: SolutionBuilder) -> str:
 
 def _grows(book: SolutionBuilder, name: Symbol, varied: str) -> bool:
     """Return whether the last result increases with a parameter."""
-    values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
+    values = {**book.values, varied: book.values[varied] * (1.0 + RELATIVE_STEP)}
     for step in book.steps:
         for relation in step.relations:
             if relation.role in ("law", "result") and relation.left.latex() in step.gives:

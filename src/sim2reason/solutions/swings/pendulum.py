@@ -67,7 +67,7 @@ def geometry(m: Mechanism) -> tuple[float, float, float]:
     return length, acos(max(-1.0, min(1.0, -offset[2] / length))), speed
 
 
-SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
+TURN_SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
 
 
 class SwingState(SwingAngle):
@@ -102,7 +102,7 @@ class SwingState(SwingAngle):
     @cached_property
     def turned(self) -> float:  # type: ignore[override]
         """Return the angle turned through, rad, including whole turns."""
-        angles = np.unwrap(self._engine_angles(np.linspace(0.0, self._when_seen, SAMPLES))[0])
+        angles = np.unwrap(self._engine_angles(np.linspace(0.0, self._when_seen, TURN_SAMPLES))[0])
         return float(angles[-1] - angles[0])
 
     def _engine_angles(self, times: Array) -> tuple[Array, Array]:

@@ -185,7 +185,7 @@ def small_oscillations(arm: Arm, book: SolutionBuilder, query: PeriodQuery) -> S
 
 
 SAMPLES = 48  # minimum number of samples per period of small oscillations
-TWICE = 2
+DOUBLE_RATIO = 2
 REST_RATE_RTOL = 1e-7  # relative to the greatest rate: below it the body counts as at rest
 
 Seen = Callable[[Array], tuple[Array, Array]]
@@ -221,7 +221,7 @@ def _write_swing_range(swing: SwingAngle, turns: int, sense: float) -> None:
     begins = f"${swing.initial_angle.latex()}$" if swing.initial_angle != ZERO else "the lowest point"
     clauses = [f"From {begins} it swings{through if inward else ''} to {reach}{' on the other side' if inward else ''}"]
     if turns > 1:
-        often = "once" if turns == TWICE else f"{turns - 1} times"
+        often = "once" if turns == DOUBLE_RATIO else f"{turns - 1} times"
         clauses.append(f"{often} from one turning point to the other")
     if not swing.is_at_rest:
         side = sense if turns % 2 else -sense

@@ -33,8 +33,8 @@ MAX_PERTURBATION = 1e-3  # largest relative change of a number of the twin
 COINCIDENCE_RTOL = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
 ATOMIC_SIZE = 1e-9  # size below which stated numbers are of atomic scale
 MAX_DRAWS, ALIKE = 24, 4  # random draws of the twin's numbers; in the first few, all grow or all shrink
-LARGEST = 10_000  # largest numerator of a fraction that is not a coincidence
-TERMS = 2500  # largest number of products of several numbers that are tried
+MAX_NUMERATOR = 10_000  # largest numerator of a fraction that is not a coincidence
+MAX_PRODUCTS = 2500  # largest number of products of several numbers that are tried
 
 
 class UnreadError(Exception):
@@ -240,7 +240,7 @@ class Lexicon:
     def _of_several(self, number: DualValue) -> Polynomial:
         """Return a number as a product of three or four given numbers, such as m g R², or as a sum of products."""
         for size in (3, 4):
-            if comb(len(self._atoms) + size - 1, size) > TERMS:
+            if comb(len(self._atoms) + size - 1, size) > MAX_PRODUCTS:
                 break
             for factors in combinations_with_replacement(self._atoms, size):
                 factor = _factor(number, reduce(mul, (atom for atom, _ in factors)))
@@ -281,5 +281,5 @@ def _factor(number: DualValue, atom: DualValue) -> float | None:
     if abs(here - there) > COINCIDENCE_RTOL * abs(here):
         return None
     fraction = Fraction(here).limit_denominator(MAX_SIMPLE_DENOMINATOR)
-    simple = float(fraction) if abs(fraction.numerator) <= LARGEST else 0.0
+    simple = float(fraction) if abs(fraction.numerator) <= MAX_NUMERATOR else 0.0
     return simple if simple and abs(simple - here) <= COINCIDENCE_RTOL * abs(here) else None

@@ -25,7 +25,7 @@ from sim2reason.testing.transformations import (
     powers,
 )
 
-REFUSED = 0.1  # fraction of scenes that may be refused with a reason; at least one scene
+MAX_REFUSED_FRACTION = 0.1  # fraction of scenes that may be refused with a reason; at least one scene
 
 
 @check
@@ -38,11 +38,11 @@ class AgreementCheck(Check):
         """Yield every refused scene if there are too many."""
         reasons = [(specimen, reason(specimen)) for specimen in specimens.members]
         refused = [(specimen, why) for specimen, why in reasons if why]
-        if len(refused) > max(1.0, REFUSED * len(reasons)):
+        if len(refused) > max(1.0, MAX_REFUSED_FRACTION * len(reasons)):
             for specimen, why in refused:
                 yield specimen.finding(
                     self.name,
-                    f"both engines agree on at least {1.0 - REFUSED:.0%} of the scenes",
+                    f"both engines agree on at least {1.0 - MAX_REFUSED_FRACTION:.0%} of the scenes",
                     f"they do not on {len(refused)} of {len(reasons)}; here: {why}",
                     "see what is singular or too stiff there, and bound the ranges that lead to it",
                 )

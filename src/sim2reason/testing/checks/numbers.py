@@ -32,8 +32,8 @@ from sim2reason.testing.specimens import (
     studied,
 )
 
-SHIFT = 1.01
-WORDINGS = 3
+SHIFT_FACTOR = 1.01
+WORDING_COUNT = 3
 
 
 @check
@@ -50,7 +50,7 @@ class GivensCheck(Check):
 
     def _declared(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for numbers of the scene that matter but are missing in some wording."""
-        wordings = [set(stated_numbers(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
+        wordings = [set(stated_numbers(found.scene, seed)) for seed in range(found.seed, found.seed + WORDING_COUNT)]
         for parameter in found.scene.parameters:
             path, value = parameter.path, parameter.value
             if (
@@ -60,7 +60,7 @@ class GivensCheck(Check):
                 or stated_by_word(found.scene, path)
             ):
                 continue
-            other = studied(change_numbers(found.scene, {path: value * SHIFT}), found.scene.horizon)
+            other = studied(change_numbers(found.scene, {path: value * SHIFT_FACTOR}), found.scene.horizon)
             difference = next(differences(found, other), None) if other is not None else None
             if difference is not None:
                 yield found.finding(
@@ -98,7 +98,7 @@ def _decided(found: Specimen) -> set[str]:
     """Return which masses and coefficients of the mechanism change with some stated number."""
     before, decided = _facts(found.study.mechanism), set[str]()
     for path, parameter in stated_numbers(found.scene).items():
-        other = change_numbers(found.scene, {path: (parameter.value or 0.0) * SHIFT})
+        other = change_numbers(found.scene, {path: (parameter.value or 0.0) * SHIFT_FACTOR})
         if other is not None and parameter.value:
             after = _facts(other.mechanism)
             decided |= {name for name, value in before.items() if after.get(name) != value}
@@ -120,16 +120,16 @@ def _shifted(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
 
 
 def _heavier(body: RigidBody) -> RigidBody:
-    xx, yy, zz, xy, xz, yz = (SHIFT * part for part in body.inertia)
-    return replace(body, mass=SHIFT * body.mass, inertia=(xx, yy, zz, xy, xz, yz))
+    xx, yy, zz, xy, xz, yz = (SHIFT_FACTOR * part for part in body.inertia)
+    return replace(body, mass=SHIFT_FACTOR * body.mass, inertia=(xx, yy, zz, xy, xz, yz))
 
 
 def _rougher(face: SurfaceContact) -> SurfaceContact:
-    return replace(face, friction=SHIFT * face.friction)
+    return replace(face, friction=SHIFT_FACTOR * face.friction)
 
 
 def _livelier(hit: CollisionPair) -> CollisionPair:
-    return replace(hit, restitution=hit.restitution / SHIFT)
+    return replace(hit, restitution=hit.restitution / SHIFT_FACTOR)
 
 
 def _moved(found: Specimen, mechanism: Mechanism) -> SimulatedScene | None:
@@ -181,7 +181,7 @@ RANGE_DRAWS, MANY_DRAWS = 60, 300  # seeds of draws, and their number where a va
 MIN_DRAWS = 12  # draws after which an unchanged value counts as constant
 FRESH, MOST = 1000, 150  # first seed and number of extra scenes for a number that seems irrelevant
 MIN_SCENES = 12  # scenes with a number after which it counts as irrelevant
-SHIFTS = (1.01, 0.99)
+SHIFT_FACTORS = (1.01, 0.99)
 
 
 @check
@@ -258,7 +258,7 @@ def _field(path: str) -> str:
 def _matters(member: Specimen, path: str) -> bool:
     """Return whether changing a number changes an answer."""
     value = next(p.value for p in member.scene.parameters if p.path == path) or 0.0
-    candidates = [value * shift if value else shift - 1.0 for shift in SHIFTS]
+    candidates = [value * shift if value else shift - 1.0 for shift in SHIFT_FACTORS]
     owner, _, name = path.rpartition(".")
     kind = cast("type[Model]", type(member.scene.value(owner)))
     if field_types(kind)[name].above:  # a limit, which matters where it lies beyond another

@@ -20,7 +20,7 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import REST_TOLERANCE, Specimen, Specimens
 
-FILES = 1  # scenes written as files, whose cost is mostly matplotlib's
+MAX_FILES = 1  # scenes written as files, whose cost is mostly matplotlib's
 
 
 @check
@@ -33,7 +33,7 @@ class DrawnCheck(Check):
         """Draw all scenes as shapes, the first one also as a file."""
         for specimen in specimens.members:
             yield from self._drawn(specimen)
-        for specimen in specimens.some(FILES):
+        for specimen in specimens.some(MAX_FILES):
             self._written(specimen)
 
     def _drawn(self, found: Specimen) -> Iterator[Finding]:
@@ -79,7 +79,7 @@ class PlottedCheck(Check):
                 yield specimen.finding(self.name, expected, f"no curve is of {', '.join(missing)}", remedy)
         if not panels:
             yield Finding(self.name, expected, f"{len(specimens.moving)} scenes that move have no panel", remedy)
-        for specimen in specimens.moving[:FILES]:
+        for specimen in specimens.moving[:MAX_FILES]:
             self._written(specimen)
 
     def _written(self, found: Specimen) -> None:

@@ -17,7 +17,7 @@ from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 
 MIN_KINDS = 2  # question kinds
-QUESTION_TRIES = 4
+MAX_QUESTION_DRAWS = 4
 
 
 @check
@@ -31,7 +31,7 @@ class QuestionsCheck(Check):
         asked_kinds = set[str]()
         for specimen in specimens.moving:
             for kind in KINDS:
-                for number in range(QUESTION_TRIES):
+                for number in range(MAX_QUESTION_DRAWS):
                     yield from self._ask(specimen, kind, number, asked_kinds)
         if len(asked_kinds) < MIN_KINDS:
             names = ", ".join(sorted(asked_kinds)) or "none"
@@ -58,7 +58,7 @@ class QuestionsCheck(Check):
                 return
 
 
-SOLUTION_TRIES = 3  # questions about one scene
+MAX_SOLUTION_DRAWS = 3  # questions about one scene
 
 
 @check
@@ -88,7 +88,7 @@ def _is_pushed(mechanism: Mechanism) -> bool:
 def _reasons(specimen: Specimen) -> Iterator[str]:
     """Yield the reason why each question drawn about a scene has no worked solution; empty if the question has one."""
     kind = KINDS["state"]
-    for number in range(SOLUTION_TRIES):
+    for number in range(MAX_SOLUTION_DRAWS):
         query = kind.draw(
             specimen.study, specimen.words, specimen.targets, np.random.default_rng([specimen.seed, number])
         )

@@ -23,7 +23,7 @@ from sim2reason.text.parsing.sentences import split_pieces
 from sim2reason.text.prose.description import Description, describe
 from sim2reason.text.prose.voices import symbolic, symbolic_at
 
-WORDINGS = 3
+WORDING_COUNT = 3
 
 
 @check
@@ -36,7 +36,7 @@ class RoundTripCheck(Check):
         """Write and parse all scenes, each in several wordings."""
         for specimen in specimens.members:
             yield from self._file(specimen)
-            wordings = range(specimen.seed, specimen.seed + WORDINGS)
+            wordings = range(specimen.seed, specimen.seed + WORDING_COUNT)
             yield from (lost for seed in wordings for lost in self._text(specimen, describe(specimen.scene, seed)))
 
     def _file(self, found: Specimen) -> Iterator[Finding]:
@@ -124,8 +124,8 @@ class SymbolsCheck(Check):
             owner.setdefault(symbol, path)
 
 
-SCENES = 3
-SHIFT = 1.5
+SCENE_COUNT = 3
+SHIFT_FACTOR = 1.5
 
 
 @check
@@ -136,14 +136,14 @@ class MaskingCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Hide each number, and remove each sentence and table row."""
-        for specimen in specimens.some(SCENES):
+        for specimen in specimens.some(SCENE_COUNT):
             yield from self._numbers(specimen)
             yield from self._sentences(specimen)
 
     def _numbers(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for hidden numbers that the text still reveals, or that its parse does not report."""
         for path, parameter in stated_numbers(found.scene, found.seed).items():
-            other = change_numbers(found.scene, {path: (parameter.value or 1.0) * SHIFT})
+            other = change_numbers(found.scene, {path: (parameter.value or 1.0) * SHIFT_FACTOR})
             text = describe(found.scene, found.seed, symbolic_at(path)).text
             expected = f"with {path} hidden, nothing in the text depends on it"
             if other is not None and not stated_by_word(other, path):

@@ -135,7 +135,7 @@ def _factor(units: Units) -> Callable[[Dimension], float]:
     return units.factor
 
 
-SCENES = 4
+SCENE_COUNT = 4
 
 
 @check
@@ -146,7 +146,7 @@ class AblationsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Remove every optional part, and fix every movable body."""
-        for specimen in specimens.some(SCENES):
+        for specimen in specimens.some(SCENE_COUNT):
             for address in removable(specimen.scene):
                 yield from self._without(specimen, address)
             for body in specimen.scene.mechanism.bodies:

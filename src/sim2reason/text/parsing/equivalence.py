@@ -42,14 +42,14 @@ Label = tuple[object, ...]
 Signature = tuple[object, ...]
 GRADIENT_FLOOR = 1e-9  # √kg; a mass-weighted gradient shorter than this counts as zero
 REFINEMENT_ROUNDS = 3  # of refining the labels of rows by those of their neighbours
-STAGES = (0.0, 0.37, -0.23)  # displacements from the start at which mechanisms are compared: m, rad or s
+TRIAL_DISPLACEMENTS = (0.0, 0.37, -0.23)  # displacements from the start at which mechanisms are compared: m, rad or s
 
 
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
     """Return a value that is equal for two equivalent scenes; `names` maps addresses to the bodies' names."""
     mechanism = scene.mechanism
     bending = bool(changing(mechanism))
-    stages = STAGES if bending else STAGES[:1]
+    stages = TRIAL_DISPLACEMENTS if bending else TRIAL_DISPLACEMENTS[:1]
     compared = (_compared(_Rows(mechanism, names, stage, bending=bending)) for stage in stages)
     return (mechanism.gravity, mechanism.units.name, *compared)
 

@@ -23,9 +23,9 @@ from sim2reason.text.prose.closings import CLOSINGS
 MAX_READINGS = 200
 ASKS = r"\boxed"  # the last sentence of every prompt contains this
 IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
-PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may omit
-ENDS = 2  # of a connection
-SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
+MAX_PRESUMED_CLOSINGS = 3  # closings that a text in ordinary English may omit
+CONNECTION_ENDS = 2  # of a connection
+TRIAL_FRACTIONS = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
 
 
@@ -154,7 +154,7 @@ def _in_ordinary_english(sentences: tuple[str, ...], rng: np.random.Generator) -
             readings = _parse_library_text(rewritten.sentences, rng, NONE_GIVEN)
             if len(readings.scenes) == 1 and rewritten.is_complete:
                 return readings.scenes[0]
-            if len(rewritten.added) < PRESUMED_AT_MOST:
+            if len(rewritten.added) < MAX_PRESUMED_CLOSINGS:
                 more = (rewritten.adding(name) for name in readings.missing_closing)
                 waiting.extend(text for text in more if text is not None and text not in waiting)
     return None
@@ -176,7 +176,7 @@ def _parse_library_text(
     for count, state in enumerate(state for state in states if startless or "start" not in state.without):
         if count == MAX_READINGS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
-        for share in SHARES if state.unknowns else SHARES[:1]:
+        for share in TRIAL_FRACTIONS if state.unknowns else TRIAL_FRACTIONS[:1]:
             lacking = 0
             try:
                 scene = build_scene(state, rng, share)
@@ -262,7 +262,7 @@ class _Grammar:
             here = state.with_kind(address, kind)
             here = here._replace(entities=(*state.entities, address), waiting=(*state.waiting, address))
             for after, then in entity_lines(self._matcher, address, place, here):
-                if after > place and sum(must_end_at(then, waiting) for waiting in then.waiting) <= ENDS:
+                if after > place and sum(must_end_at(then, waiting) for waiting in then.waiting) <= CONNECTION_ENDS:
                     yield from self.scenes(after, then)
 
     def _strings(self, place: int, state: ParseState) -> Iterator[ParseState]:

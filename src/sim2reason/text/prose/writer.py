@@ -38,7 +38,7 @@ from sim2reason.text.prose.phrases import (
 )
 from sim2reason.text.prose.voices import Terms, Voice
 
-TABLE_FROM = 3  # similar bodies from which on they form a table
+MIN_TABLE_BODIES = 3  # similar bodies from which on they form a table
 
 
 class Writer(Terms):
@@ -136,7 +136,7 @@ class Writer(Terms):
             return [self._as(line_role(saying), self.finish(self.render(template, address)), topic)]
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
-        if len(members) >= TABLE_FROM and isinstance(members[0], Body) and same_class(members):
+        if len(members) >= MIN_TABLE_BODIES and isinstance(members[0], Body) and same_class(members):
             self.introduced.update(dict.fromkeys(where))
             return table(self, saying.table, where, members)
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]

@@ -16,9 +16,9 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 
-__all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "build_corpus"]
+__all__ = ["CORPORA", "MAX_WEIGHT", "Corpus", "Row", "build_corpus"]
 
-MOST_WEIGHT = 1000.0
+MAX_WEIGHT = 1000.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class Corpus(BaseModel, ABC):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
-    weight: Annotated[float, Gt(0.0), Le(MOST_WEIGHT)] = 1.0
+    weight: Annotated[float, Gt(0.0), Le(MAX_WEIGHT)] = 1.0
     """How often each row stands in the mix: 2 is twice, 0.25 is a random quarter of the rows once."""
     limit: Annotated[int, Ge(1)] | None = None
     """The first so many rows only."""

@@ -96,8 +96,8 @@ def _anywhere(expression: Expression, changes: Changes) -> Iterator[Expression]:
 
 
 WIDEST: Final = log(2.5)  # logarithm of the largest factor on a number
-STEEPEST: Final = 85.0  # degrees
-TRIES: Final = 6
+MAX_ANGLE: Final = 85.0  # degrees
+MAX_DRAWS: Final = 6
 CONSTANTS: Final = frozenset({"g", "G"})  # constants of nature, which stay unchanged
 Place = tuple[tuple[int, int], str]
 """Where a number stands in a text, and how."""
@@ -109,7 +109,7 @@ def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tup
 
     Only numbers that the prompt states once, in the digits of the problem, are changed.
     """
-    for _ in range(TRIES):
+    for _ in range(MAX_DRAWS):
         text, numbers = _changed(prompt, solution, rng)
         values = _values(solution, numbers)
         if values is not None:
@@ -132,7 +132,7 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
             continue
         span, text = matches[0]
         new = _like(text, magnitude * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
-        if float(new) == 0.0 or (angle and float(new) > STEEPEST):
+        if float(new) == 0.0 or (angle and float(new) > MAX_ANGLE):
             continue
         changes.append((span, new))
         numbers[name] = copysign(radians(float(new)) if angle else float(new), value)

@@ -30,8 +30,8 @@ __all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "for
 
 ARITHMETIC_DIGITS: Final = 3
 ANGULAR: Final = frozenset({"sin", "cos", "tan"})
-LONGEST_POWER: Final = 4
-LARGEST_PLAIN: Final = 1e4
+MAX_POWER: Final = 4
+MAX_PLAIN_NUMBER: Final = 1e4
 UNWRITTEN: Final = re.compile(r"text|[\\_{},]")  # of LaTeX in a name
 OPERATORS: Final = frozenset("+*/")  # a minus sign could also be that of a number
 
@@ -97,7 +97,7 @@ def given_values(solution: Solution) -> dict[str, float]:
 
 def format_number(value: float) -> str:
     """Return a number with three digits, without LaTeX; from ten thousand on with a power of ten."""
-    if abs(value) >= LARGEST_PLAIN:
+    if abs(value) >= MAX_PLAIN_NUMBER:
         return f"{value:.{ARITHMETIC_DIGITS - 1}e}".replace("e+0", "e").replace("e+", "e")
     return rounded_latex(value, ARITHMETIC_DIGITS).replace(r" \times 10^{", "e").rstrip("}")
 
@@ -214,7 +214,7 @@ class _Written:
 
     def _function(self, held: Expression) -> _Operand:
         match held:
-            case Power(base, exponent) if 0 < exponent <= LONGEST_POWER:
+            case Power(base, exponent) if 0 < exponent <= MAX_POWER:
                 return self._product((base,) * exponent)
             case Root(inside):
                 under = self._operand(inside)
@@ -231,11 +231,7 @@ class _Written:
 
 def _repeated(expression: Expression) -> Iterator[Expression]:
     """Yield the factors of a power, one by one."""
-    if (
-        isinstance(expression, Power)
-        and 0 < expression.exponent <= LONGEST_POWER
-        and not isinstance(expression.base, Call)
-    ):
+    if isinstance(expression, Power) and 0 < expression.exponent <= MAX_POWER and not isinstance(expression.base, Call):
         yield from (expression.base for _ in range(expression.exponent))
     else:
         yield expression

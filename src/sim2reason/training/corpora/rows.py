@@ -84,7 +84,7 @@ def _text(record: dict[str, object], name: str, location: str) -> str:
 
 
 PROBLEMS_PER_TASK = 16  # problems that a process makes per task, at most
-EMPTY = 50  # requests per wanted problem after which the search fails
+MAX_EMPTY_REQUESTS = 50  # requests per wanted problem after which the search fails
 RowsOf = Callable[[Request], list[Row] | None]
 """The rows of a problem: none if it can have no rows, None if there is no such problem. A pure function."""
 
@@ -106,7 +106,7 @@ def drawn_rows(
                     yield from rows
                 elif not rows:
                     left_out[reason] += 1
-            if completed >= items or number > EMPTY * ceil(items / size):
+            if completed >= items or number > MAX_EMPTY_REQUESTS * ceil(items / size):
                 break
             ahead.append(pool.submit(_stretch, problems, rows_of, number, size))
         pool.shutdown(wait=True, cancel_futures=True)
@@ -125,7 +125,7 @@ def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[l
     return results
 
 
-IGNORED = -100  # label of a token that is excluded from the loss, as in torch
+IGNORED_LABEL = -100  # label of a token that is excluded from the loss, as in torch
 ROWS_PER_BATCH = 8192  # rows tokenized at once
 TOKENS = pa.list_(pa.int32())
 
@@ -156,7 +156,7 @@ class EncodedRow:
     @property
     def labels(self) -> list[int]:
         """Return the labels of all tokens; prompt tokens are ignored."""
-        return [IGNORED] * len(self.prompt) + self.completion
+        return [IGNORED_LABEL] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
         """Return in words which token limit the row exceeds; empty if the row exceeds none."""

@@ -131,7 +131,7 @@ class GSPOSettings(_Settings):
         return micro, rows // micro
 
 
-OVERLONG = 100  # prompts skipped per wanted one before a stream counts as unsuitable
+MAX_SKIPPED_PER_PROMPT = 100  # prompts skipped per wanted one before a stream counts as unsuitable
 PICTURES = {"image", "images", "environment"}  # columns that TRL would interpret
 
 Row = dict[str, Any]
@@ -191,7 +191,7 @@ def draw(stream: PromptStream, count: int, fits: Callable[[Row], bool]) -> Drawn
         drawn.exhausted = len(batch) < wanted
         drawn.read += len(batch)
         drawn.rows += [row for row in batch if _checked(row) and fits(row)]
-        if drawn.read - len(drawn.rows) > OVERLONG * count:
+        if drawn.read - len(drawn.rows) > MAX_SKIPPED_PER_PROMPT * count:
             raise TrainingError(
                 f"only {len(drawn.rows)} of {drawn.read} prompts are short enough; raise max_prompt_tokens"
             )

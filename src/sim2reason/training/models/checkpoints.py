@@ -13,7 +13,7 @@ __all__ = ["Attention", "Checkpoint", "LoadedModel", "Precision", "context_lengt
 
 Precision = Literal["auto", "float32", "bfloat16", "float16"]
 Attention = Literal["auto", "eager", "sdpa", "flash_attention_2", "flash_attention_3"]
-ENDLESS = 2**31
+UNLIMITED_CONTEXT = 2**31
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,4 +86,4 @@ class Checkpoint:
 
 def context_length(config: External) -> int:
     """Return the context length, in tokens, of a model configuration."""
-    return getattr(config.get_text_config(), "max_position_embeddings", None) or ENDLESS
+    return getattr(config.get_text_config(), "max_position_embeddings", None) or UNLIMITED_CONTEXT

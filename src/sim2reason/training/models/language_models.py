@@ -25,11 +25,11 @@ from sim2reason.training.extras import External, library
 from sim2reason.training.models import MODELS, Checkpoint, ModelSettings
 from sim2reason.training.models.checkpoints import Attention, Precision
 
-__all__ = ["ALONE", "END", "PAD", "SMALLEST", "Pretrained", "Scratch", "train_tokenizer"]
+__all__ = ["ALONE", "END", "MIN_VOCABULARY", "PAD", "Pretrained", "Scratch", "train_tokenizer"]
 
 ALONE = "0123456789*=;/-+"
 PAD, END = "<|pad|>", "<|end|>"
-SMALLEST = 256 + 2
+MIN_VOCABULARY = 256 + 2
 """The vocabulary of bytes and of the tokens that pad and end."""
 
 
@@ -86,7 +86,7 @@ class Pretrained(ModelSettings):
 
 
 RECORD = "scratch.json"
-LARGEST_SEED = 2**63 - 1
+MAX_SEED = 2**63 - 1
 
 
 @MODELS.register("scratch")
@@ -100,7 +100,7 @@ class Scratch(ModelSettings):
     """Of attention; they share the width, an even number for each."""
     feed_forward: Annotated[int, Ge(1), Le(1_048_576)] | None = None
     """The width of the gated feed-forward network; by default four times that of the hidden states."""
-    vocabulary: Annotated[int, Ge(SMALLEST), Le(1_000_000)] = 1024
+    vocabulary: Annotated[int, Ge(MIN_VOCABULARY), Le(1_000_000)] = 1024
     """Pieces of the tokenizer, at most: few texts have fewer."""
     context: Annotated[int, Ge(8), Le(1_048_576)] = 512
     """Tokens of a prompt and its response."""
@@ -108,7 +108,7 @@ class Scratch(ModelSettings):
     """Whether the embeddings are also the weights of the last layer."""
     alone: Annotated[str, Field(max_length=256)] = ALONE
     """Characters that are pieces of their own."""
-    seed: Annotated[int, Ge(0), Le(LARGEST_SEED)] = 0
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] = 0
     """Of the weights."""
 
     @model_validator(mode="after")

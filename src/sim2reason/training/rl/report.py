@@ -45,8 +45,8 @@ BEFORE, AFTER = "before", "after"
 RESPONSES = {"greedy": 0.0, "sampled": 1.0}
 """How responses are chosen, and at what temperature."""
 CELL = "quantity"
-INSIDE = 0.98  # fraction of a tolerance that is surely inside after rounding to six digits
-PROMISING = 16  # candidate constants that are scored
+TOLERANCE_FRACTION = 0.98  # fraction of a tolerance that is surely inside after rounding to six digits
+MAX_CANDIDATES = 16  # candidate constants that are scored
 
 
 def evaluation_folders(config: ReinforcementLearning) -> dict[str, Path]:
@@ -141,10 +141,12 @@ def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
     known = [(value, tolerance) for value, tolerance in map(_answer, items) if value is not None]
     values, tolerances = np.array(known, dtype=float).reshape(-1, 2).T
     widths = tolerances * np.abs(values)
-    numbers = np.unique(np.concatenate([values, values - INSIDE * widths, values + INSIDE * widths]))
+    numbers = np.unique(
+        np.concatenate([values, values - TOLERANCE_FRACTION * widths, values + TOLERANCE_FRACTION * widths])
+    )
     begun = np.searchsorted(np.sort(values - widths), numbers, side="right")
     ended = np.searchsorted(np.sort(values + widths), numbers, side="left")
-    return numbers[np.argsort(ended - begun, kind="stable")][:PROMISING].tolist()
+    return numbers[np.argsort(ended - begun, kind="stable")][:MAX_CANDIDATES].tolist()
 
 
 def _answer(item: BenchmarkItem) -> tuple[float | None, float]:

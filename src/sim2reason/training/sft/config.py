@@ -23,8 +23,8 @@ from sim2reason.training.run_files import SFT_PLAN, StepLines, claim, finish, re
 
 __all__ = ["FineTuning", "FineTuningResult", "SftFolder", "build_fine_tuning"]
 
-LARGEST_SEED = 2**32 - 1  # of numpy's global generator, which the trainer seeds
-MOST_STEPS = 10**8
+MAX_SEED = 2**32 - 1  # of numpy's global generator, which the trainer seeds
+MAX_STEPS = 10**8
 
 
 def _corpora(given: object) -> object:
@@ -43,14 +43,14 @@ class FineTuning(BaseModel):
     """The folder of the run."""
     model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(model_given)]
     corpora: Annotated[tuple[SerializeAsAny[Corpus], ...], MinLen(1), BeforeValidator(_corpora)]
-    seed: Annotated[int, Ge(0), Le(LARGEST_SEED)] = 0
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] = 0
     """Of the mix of corpora and of the order of rows in each pass over them."""
     chat: bool | Literal["auto"] = "auto"
     """Whether rows are put into the tokenizer's chat template; by default if it has one."""
     max_prompt_tokens: Annotated[int, Ge(1)] = 2048
     max_completion_tokens: Annotated[int, Ge(1)] = 16_384
     """Longer rows are counted and left out."""
-    steps: Annotated[int, Ge(1), Le(MOST_STEPS)] | None = None
+    steps: Annotated[int, Ge(1), Le(MAX_STEPS)] | None = None
     """Updates of the weights; else as many as `epochs` take."""
     epochs: Annotated[float, Gt(0.0), Le(1e6)] | None = None
     """Passes over all rows."""
@@ -69,7 +69,7 @@ class FineTuning(BaseModel):
     weight_decay: Annotated[float, Ge(0.0), Le(1.0)] = 0.0
     max_grad_norm: Annotated[float, Gt(0.0)] = 1.0
     """To which gradients are clipped."""
-    warmup: Annotated[int, Ge(0), Le(MOST_STEPS)] = 0
+    warmup: Annotated[int, Ge(0), Le(MAX_STEPS)] = 0
     """Steps at the start over which learning rates rise linearly."""
     decay: Annotated[float, Ge(0.0), Le(1.0)] = 0.5
     """The share of the steps, at the end, over which they fall linearly to zero."""
@@ -80,11 +80,11 @@ class FineTuning(BaseModel):
     gradient_checkpointing: bool = False
     """Whether activations are computed twice to save memory."""
     device: Literal["auto", "cpu"] = "auto"
-    save_every: Annotated[int, Ge(1), Le(MOST_STEPS)] = 500
+    save_every: Annotated[int, Ge(1), Le(MAX_STEPS)] = 500
     """Steps from one checkpoint to the next; a run that was broken off goes on from the last."""
     keep: Annotated[int, Ge(1), Le(1000)] = 2
     """Checkpoints that are kept."""
-    log_every: Annotated[int, Ge(1), Le(MOST_STEPS)] = 10
+    log_every: Annotated[int, Ge(1), Le(MAX_STEPS)] = 10
     """Steps from one line of the log to the next."""
     tensorboard: bool = False
     """Whether the log is written for TensorBoard, too."""
@@ -129,7 +129,7 @@ class FineTuning(BaseModel):
 
     def steps_of(self, rows: int) -> int:
         """Return the number of training steps: the configured one, or that of the epochs over so many rows."""
-        return self.steps if self.steps is not None else min(MOST_STEPS, max(1, self._steps_of_epochs(rows)))
+        return self.steps if self.steps is not None else min(MAX_STEPS, max(1, self._steps_of_epochs(rows)))
 
     def _steps_of_epochs(self, rows: int) -> int:
         assert self.epochs is not None

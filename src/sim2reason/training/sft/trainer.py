@@ -23,14 +23,14 @@ from sim2reason.training.sft.config import FineTuning, SftFolder
 __all__ = ["arguments", "batches_by_length", "sampler_by_length", "trainer"]
 
 
-AMONG = 50  # batches sorted together: more of them mean less padding and a less random order
+SORTED_BATCHES = 50  # batches sorted together: more of them mean less padding and a less random order
 
 
 def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int) -> list[int]:
     """Return the indices of all rows in batches of similar length; the order is random, an incomplete batch last."""
     rng, sizes = generator("length", seed, epoch), np.asarray(lengths)
     order = rng.permutation(len(sizes))
-    stretches = np.split(order, range(AMONG * batch, len(order), AMONG * batch))
+    stretches = np.split(order, range(SORTED_BATCHES * batch, len(order), SORTED_BATCHES * batch))
     near = np.concatenate([each[np.argsort(sizes[each], kind="stable")] for each in stretches])
     complete = len(near) - len(near) % batch
     shuffled = rng.permutation(near[:complete].reshape(-1, batch))
@@ -64,8 +64,8 @@ def _sampler() -> External:
 
 
 SMALL = 2**15  # vocabulary size up to which all logits fit in memory
-LOADERS = 2  # processes that assemble batches while a GPU computes
-IGNORED = -100
+LOADER_PROCESSES = 2  # processes that assemble batches while a GPU computes
+IGNORED_LABEL = -100
 Advance = Callable[[int], object]
 
 
@@ -103,7 +103,7 @@ def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -
         max_length=None,  # rows are held to their limits before
         packing=False,
         dataloader_pin_memory=not cpu,
-        dataloader_num_workers=0 if cpu else LOADERS,
+        dataloader_num_workers=0 if cpu else LOADER_PROCESSES,
         ddp_find_unused_parameters=False,
         disable_tqdm=True,
     )
@@ -192,7 +192,7 @@ def _loss(model: External, inputs: External, tokens: External, scale: int) -> Ex
     labels = inputs["labels"][:, 1:]
     model_inputs = {name: inputs[name] for name in ("input_ids", "attention_mask")}
     logits = model(**model_inputs, use_cache=False).logits[:, :-1]
-    mask = labels != IGNORED
+    mask = labels != IGNORED_LABEL
     torch = library("torch")
     total = torch.nn.functional.cross_entropy(logits[mask].float(), labels[mask], reduction="sum")
     if tokens is None:

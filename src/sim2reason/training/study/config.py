@@ -11,14 +11,14 @@ from sim2reason.base.records import cached_property
 from sim2reason.base.settings import configuration, read_settings
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.evaluation.policies import Name
-from sim2reason.generation.request import LARGEST
+from sim2reason.generation.request import MAX_SEED
 from sim2reason.training.rl.config import ReinforcementLearning, build_reinforcement_learning
 
 __all__ = ["Arm", "TrainingStudy", "build_study"]
 
-STRIDE = 1_000_003
+SEED_STRIDE = 1_000_003
 """Between the seeds from which runs with neighbouring seeds draw their problems."""
-MOST_RUNS = 1000
+MAX_RUNS = 1000
 Settings = dict[str, Any]
 Seeds = Annotated[tuple[Annotated[int, Ge(0), Le(2**31)], ...], MinLen(1)]
 SEEDS = TypeAdapter[tuple[int, ...]](Seeds)
@@ -64,8 +64,8 @@ class TrainingStudy(BaseModel):
         for name in self.arms:
             if len(set(self.seeds_of(name))) < len(self.seeds_of(name)):
                 raise ValueError(f"arms.{name}: a seed stands twice")
-        if len(self.runs) > MOST_RUNS:
-            raise ValueError(f"arms: {len(self.runs)} runs, and at most {MOST_RUNS} are possible")
+        if len(self.runs) > MAX_RUNS:
+            raise ValueError(f"arms: {len(self.runs)} runs, and at most {MAX_RUNS} are possible")
         held_out_by_arm = {name: self.first(name).decisive["held_out"] for name in self.arms}
         first = next(iter(held_out_by_arm))
         if differs := [name for name in held_out_by_arm if held_out_by_arm[name] != held_out_by_arm[first]]:
@@ -132,7 +132,7 @@ def _drawn_anew(given: object, seed: int) -> object:
         return cast("object", given)
     settings = cast("Settings", given)
     first = settings["seed"]
-    return {**settings, "seed": (first + STRIDE * seed) % LARGEST if isinstance(first, int) else first}
+    return {**settings, "seed": (first + SEED_STRIDE * seed) % MAX_SEED if isinstance(first, int) else first}
 
 
 def build_study(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:

@@ -22,7 +22,7 @@ from sim2reason.training.study.config import Arm, TrainingStudy, build_study
 
 __all__ = ["prepare_study", "train_study"]
 
-LONGEST = 300  # characters of a failed run's last output
+MAX_OUTPUT = 300  # characters of a failed run's last output
 PARTIAL = ".part"
 
 
@@ -210,5 +210,5 @@ def _make(study: TrainingStudy, arm: Arm, until: Stage | None, running: dict[Arm
     if code == 0:
         return ""
     lines = [line for line in log.read_text("utf-8", errors="replace").splitlines() if line.strip()]
-    last = lines[-1][-LONGEST:] if lines else f"ended with code {code}"
+    last = lines[-1][-MAX_OUTPUT:] if lines else f"ended with code {code}"
     return f"{last} (see {log})"

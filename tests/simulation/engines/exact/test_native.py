@@ -28,7 +28,7 @@ from sim2reason.simulation.engines.exact.linear import (
     eliminated_symbols,
     gradient,
 )
-from sim2reason.simulation.engines.exact.native import API, core
+from sim2reason.simulation.engines.exact.native import CORE_API_VERSION, core
 from sim2reason.simulation.engines.exact.tape import PlainTape, Tape, float_value
 from traced import RANDOM
 
@@ -80,7 +80,7 @@ def test_an_extension_of_another_version_is_not_used() -> None:
     assert core is not None
     with pytest.raises(ImportError, match="another version"):
         core.set_up(0, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
-    core.set_up(API, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
+    core.set_up(CORE_API_VERSION, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
 
 
 # ---- parts

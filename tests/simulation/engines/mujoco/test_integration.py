@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.integration import (
     MAX_STEP_RATIO,
     MIN_STEP_RATIO,
-    SEQUENCE,
+    SUBSTEP_SEQUENCE,
     Knot,
     Quintic,
     extrapolate_step,
@@ -46,7 +46,7 @@ def test_a_step_stops_at_the_column_that_is_near_enough() -> None:
     y = wanted(1.0)
     easy = extrapolate_step(counted, 1.0, y, swing(1.0, y), 0.05, 1e-7)
     assert easy.error <= 1.0
-    assert len(calls) < sum(SEQUENCE)
+    assert len(calls) < sum(SUBSTEP_SEQUENCE)
     assert easy.factor == MAX_STEP_RATIO
 
 

@@ -29,7 +29,7 @@ from sim2reason.generation.request import SHAPING
 
 __all__ = ["BenchmarkPlan", "Evaluation", "PolicyPlan", "RunFolder", "RunRecord", "build_evaluation", "copy_answers"]
 
-LARGEST = 2**63 - 1
+MAX_SEED = 2**63 - 1
 Settings = dict[str, Any]
 
 
@@ -39,7 +39,7 @@ class _File(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     out: Path
-    seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
+    seed: Annotated[int, Ge(0), Le(MAX_SEED)] = 0
     samples: Annotated[int, Ge(1), Le(MOST_SAMPLES)] = 1
     sampling: Settings = {}
     policies: Annotated[list[Settings], MinLen(1)]

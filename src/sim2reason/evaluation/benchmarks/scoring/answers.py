@@ -7,7 +7,7 @@ from typing import Final, TypeVar
 
 from sim2reason.grading import FormulaError, Outcome, arithmetic, formula, number
 from sim2reason.grading.arithmetic import Node, draw_points
-from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, fault_of_box, response_text
+from sim2reason.grading.extract import MAX_ANSWER_LENGTH, closed_boxes, content, fault_of_box, response_text
 from sim2reason.grading.number import unit_stated
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Refused
@@ -59,7 +59,7 @@ def find_boxes(response: str) -> list[str]:
             spans.pop()
         spans.append((begin, end))
     contents = (content(text, span) for span in spans[-MAX_BOXES:] if not fault_of_box(text, *span))
-    return [answer for answer in contents if answer.strip() and len(answer) <= MAX_ANSWER]
+    return [answer for answer in contents if answer.strip() and len(answer) <= MAX_ANSWER_LENGTH]
 
 
 def wrap_in_box(answer: str) -> str:
@@ -84,7 +84,7 @@ def parts(answer: str, *, thousands: bool = True) -> list[str]:
     return [part.strip().rstrip(".") for part in pieces if part.strip(" .")]
 
 
-LAST: Final = 1000  # characters at the end that are searched for an answer without a box
+TAIL_LENGTH: Final = 1000  # characters at the end that are searched for an answer without a box
 _DRESS: Final = re.compile(
     r"\\(?:text|textbf|textrm|mathrm|mathbf|bf|rm|boldsymbol|mathsf)(?![A-Za-z])|\\[,;: &]|[{}$*~]"
 )
@@ -119,7 +119,7 @@ def chosen(content: str) -> frozenset[str] | None:
 
 def unboxed_options(response: str) -> frozenset[str] | None:
     """Return the options in the last *answer is …* near the end of a response; None if there is none."""
-    *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
+    *_, last = [None, *_SAID.finditer(after_thinking(response)[-TAIL_LENGTH:])]
     return None if last is None else frozenset(re.findall("[A-D]", last[1]))
 
 

@@ -27,7 +27,7 @@ from sim2reason.grading import number
 
 __all__ = ["HiPhO", "JEEBench", "OlympiadBench", "expected_parts"]
 
-TOLERANCE = 0.05
+HIPHO_RTOL = 0.05
 
 
 class HiPhO(Scoring):
@@ -55,7 +55,7 @@ def _right(part: Mapping[str, JsonValue], submitted: str) -> bool:
         return bool(equivalent_equations(answer, submitted))
     value = read(answer, unit)
     if value is not None:
-        return number(wrap_in_box(submitted), value, unit, tolerance=TOLERANCE).reward == 1.0
+        return number(wrap_in_box(submitted), value, unit, tolerance=HIPHO_RTOL).reward == 1.0
     return bool(equal_expressions(answer, submitted))
 
 
@@ -63,7 +63,7 @@ SCORINGS.add("hipho", HiPhO())
 
 
 WITHIN = Fraction(1, 100)
-QUARTER = 0.25
+PARTIAL_POINTS = 0.25
 JEEBENCH_ROUNDING = Fraction(1, 10**9)  # tolerance of floating-point numbers from fractions and roots
 ONE, SEVERAL, INTEGER, NUMERIC = "MCQ", "MCQ(multiple)", "Integer", "Numeric"
 TYPES = ONE, SEVERAL, INTEGER, NUMERIC
@@ -90,7 +90,9 @@ def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
         return Award(1.0, parsed=named)
     if partial and submitted <= right:
         return Award(
-            QUARTER * len(submitted), parsed=named, why=f"{len(submitted)} of {len(right)} right options, none wrong"
+            PARTIAL_POINTS * len(submitted),
+            parsed=named,
+            why=f"{len(submitted)} of {len(right)} right options, none wrong",
         )
     return Award(0.0, parsed=named, why=f"the right options are {''.join(sorted(right))}")
 
@@ -109,9 +111,9 @@ def _number(response: str, answer: str, *, exact: bool) -> Award:
 SCORINGS.add("jeebench", JEEBench())
 
 
-ERROR: Final = 1e-8
-LEEWAY: Final = 1.01  # factor on the error, as published
-SMALL: Final = 0.01  # relative tolerance where an item states no error
+DEFAULT_ERROR: Final = 1e-8
+ERROR_FACTOR: Final = 1.01  # factor on the error, as published
+DEFAULT_RTOL: Final = 0.01  # relative tolerance where an item states no error
 OLYMPIADBENCH_ROUNDING: Final = 1e-12  # relative, of floats
 MAX_ANSWERS: Final = 12  # answers to one problem
 _PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
@@ -213,10 +215,11 @@ def _near(right: _ExpectedAnswer, value: float, submitted: str) -> bool:
         return False
     if "%" in right.text:
         value *= 100.0  # it was read as a share, and its error is in per cent
-    error = min(ERROR, SMALL * abs(value)) if right.error is None and value else right.error or 0.0
+    error = min(DEFAULT_ERROR, DEFAULT_RTOL * abs(value)) if right.error is None and value else right.error or 0.0
     scales = (1.0, 100.0) if right.percent else (1.0,)
     return any(
-        abs(submitted_value * scale - value) <= LEEWAY * error + OLYMPIADBENCH_ROUNDING * abs(value) for scale in scales
+        abs(submitted_value * scale - value) <= ERROR_FACTOR * error + OLYMPIADBENCH_ROUNDING * abs(value)
+        for scale in scales
     )
 
 

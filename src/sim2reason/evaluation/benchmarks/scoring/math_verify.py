@@ -16,7 +16,7 @@ from sim2reason.datasets.processes import SPAWN_CONTEXT
 __all__ = ["Killable", "verified"]
 
 R = TypeVar("R")
-STARTING = 120.0  # s, longest start of the process, in addition to the timeout of a call
+MAX_START_TIME = 120.0  # s, longest start of the process, in addition to the timeout of a call
 
 
 class Killable(Generic[R]):
@@ -51,7 +51,7 @@ class Killable(Generic[R]):
             self._process.start()
             theirs.close()  # now the process alone holds it: its death closes the pipe
             try:
-                ready = self._pipe.poll(STARTING) and self._pipe.recv() is None
+                ready = self._pipe.poll(MAX_START_TIME) and self._pipe.recv() is None
             except (EOFError, OSError):
                 ready = False
             if not ready:

@@ -22,8 +22,8 @@ from sim2reason.grading import Outcome, number
 
 __all__ = ["MathVerify", "Numeric", "OwnGrader", "Physics"]
 
-PATIENCE = 10.0  # s for one answer
-EQUAL = 1e-6  # relative, of two numbers
+ANSWER_TIMEOUT = 10.0  # s for one answer
+EQUALITY_RTOL = 1e-6  # relative, of two numbers
 
 _COMMAND: Final = re.compile(r"\\[A-Za-z]+")
 _NAMED: Final = re.compile(r"[A-Za-z]{3,}")  # an answer in words
@@ -38,7 +38,7 @@ class MathVerify(Scoring):
 
     @cached_property
     def _verified(self) -> Killable[tuple[bool, bool, str]]:
-        return Killable(verified, PATIENCE)
+        return Killable(verified, ANSWER_TIMEOUT)
 
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answer`, a text in LaTeX."""
@@ -52,7 +52,7 @@ class MathVerify(Scoring):
             return Award.all_or_nothing(ours, contents[-1], "" if ours else f"the answer is {answer}")
         result = self._verified(wrap_in_box(answer), wrap_in_box(contents[-1]))
         if result is None:
-            return Award.unreadable(f"math-verify gave no answer within {PATIENCE:g} s")
+            return Award.unreadable(f"math-verify gave no answer within {ANSWER_TIMEOUT:g} s")
         readable, equal, _ = result
         return Award(float(equal), readable, contents[-1], "" if equal else f"the answer is {answer}")
 
@@ -64,7 +64,7 @@ def _equal(answer: str, submitted: str) -> bool | None:
     if read(answer) is None or _LETTER.fullmatch(answer):
         return None if is_equation(answer) else equal_expressions(answer, submitted)
     if read(submitted) is not None:
-        return agrees(answer, submitted, EQUAL)
+        return agrees(answer, submitted, EQUALITY_RTOL)
     return False if _UNSOLVED.match(submitted) else None
 
 

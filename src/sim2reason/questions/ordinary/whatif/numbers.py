@@ -21,7 +21,7 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has
 NEVER_ZERO = "friction", "mass", "speed", "horizontal speed", "angular speed", "motion at start"
-MORE = 1.01  # factor on a number, to find its effects
+EFFECT_FACTOR = 1.01  # factor on a number, to find its effects
 INITIAL_SPEED_RTOL = 1e-9  # relative: largest difference of an initial speed from the given one
 
 
@@ -272,5 +272,5 @@ def _is_carried(study: SimulatedScene, path: str, value: float) -> bool:
 
 def _roughens(study: SimulatedScene, path: str, value: float) -> set[str]:
     """Return the names of the bodies whose friction changes with a number."""
-    faces = with_number(study.scene, path, value * MORE).mechanism.contacts
+    faces = with_number(study.scene, path, value * EFFECT_FACTOR).mechanism.contacts
     return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}

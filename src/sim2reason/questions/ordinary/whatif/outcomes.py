@@ -49,7 +49,7 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodi
 from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR
 
 NEEDED = "coefficient of friction needed"
-NEARLY = 1.0 - 1e-9
+BELOW_THRESHOLD_FACTOR = 1.0 - 1e-9
 SAME_VALUE_RTOL = 1e-6  # relative
 
 
@@ -117,7 +117,7 @@ def slips_nevertheless(meaning: UnderstoodQuestion) -> bool:
     if meaning.asked.find != NEEDED or meaning.posed_question.varied is None or meaning.simulated_answer.answer is None:
         return False
     _, most = meaning.posed_question.varied.values[0]
-    return meaning.simulated_answer.answer >= NEARLY * most
+    return meaning.simulated_answer.answer >= BELOW_THRESHOLD_FACTOR * most
 
 
 def _rolling(words: Words) -> bool:
@@ -128,7 +128,7 @@ CIRCULAR_SPEED = "circular speed"
 BEYOND_THRESHOLD_FACTOR = 1.0 + 1e-3  # factor on a threshold, to find the outcome beyond it
 PLANE_DIRECTIONS = 2  # directions of a body that does not move on a line
 ZERO_ACCELERATION_RTOL = 1e-6  # of g: smaller accelerations are zero
-SQUARE = 1e-9  # the cosine of a right angle
+RIGHT_ANGLE_COSINE_TOL = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
     SLIPS: (("slides", True), ("slips rolling", True)),
@@ -302,6 +302,6 @@ def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words:
     separation = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
     velocity = Velocity.evaluate(start, a)[0] - Velocity.evaluate(start, b)[0]
     sizes = float(np.linalg.norm(separation) * np.linalg.norm(velocity))
-    if abs(float(separation @ velocity)) <= SQUARE * sizes:
+    if abs(float(separation @ velocity)) <= RIGHT_ANGLE_COSINE_TOL * sizes:
         distance = f"{float(np.linalg.norm(separation)):.15g} {words.units.spell('m')}"
         yield Reading(StructuredQuestion(path, pair, START, given=f"semi-major axis = {distance}"))

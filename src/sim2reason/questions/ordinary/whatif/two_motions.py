@@ -94,7 +94,7 @@ def _time_of_speed(
 
 
 ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
-SHARES = 0.31, 0.47, 0.83  # of the horizon: times of removal if the sentence states none
+REMOVAL_TIME_FRACTIONS = 0.31, 0.47, 0.83  # of the horizon: times of removal if the sentence states none
 _IF = r"(?:(?:suppose|if|imagine|assume|when|after|once|as soon as|supposing|assuming)(?: that)? )?"
 _LINE = r"(?:string|rope|cord|thread|rod|spring)"
 _FIELD = r"(?:electric|magnetic) field"
@@ -240,7 +240,7 @@ def _times(
     if stated or clause:
         time = time_of(stated, sentence, words) if stated else moment_of(clause, sentence, motion, words, reader)
         return (time,) if time is not None else ()
-    return tuple(share * motion.study.scene.horizon for share in SHARES)
+    return tuple(share * motion.study.scene.horizon for share in REMOVAL_TIME_FRACTIONS)
 
 
 def _is_later(token: str, times: tuple[float, ...], sentence: TokenizedSentence, words: Words) -> bool:

@@ -23,7 +23,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
 
-TINY = 1e-9  # the least value of a number that must not be zero, in place of zero
+MIN_NONZERO_VALUE = 1e-9  # the least value of a number that must not be zero, in place of zero
 ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
@@ -181,7 +181,9 @@ def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Map
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)
-        return {path: smallest for path in paths if (smallest := max(0.0, find_limits(scene, path)[0])) <= TINY}
+        return {
+            path: smallest for path in paths if (smallest := max(0.0, find_limits(scene, path)[0])) <= MIN_NONZERO_VALUE
+        }
     friction_paths = [
         path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")
     ]

@@ -18,8 +18,8 @@ from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 
 Affine = dict[int, Fraction]
 """Nonzero coefficients by the index of the input; the key −1 holds the constant term."""
-CONSTANT = -1  # key of the constant term
-TIME = 0  # index of the input that is the time
+CONSTANT_KEY = -1  # key of the constant term
+TIME_INDEX = 0  # index of the input that is the time
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,12 @@ class LinearEquations:
 def linear_equations(tape: Tape, accelerations: Sequence[Number], margins: Sequence[Number]) -> LinearEquations | None:
     """Return accelerations and event functions in affine form; None if one is not affine or depends on time."""
     coefficients = _coefficients(tape, [*accelerations, *margins])
-    if coefficients is None or any(TIME in each for each in coefficients):
+    if coefficients is None or any(TIME_INDEX in each for each in coefficients):
         return None
     n, width = len(accelerations), len(tape.names) - 1
     rows = [[each.get(number + 1, Fraction()) for number in range(width)] for each in coefficients]
     slopes = np.array([[float(part) for part in row] for row in rows[n:]]).reshape(len(margins), width)
-    return LinearEquations([each.get(CONSTANT, Fraction()) for each in coefficients[:n]], rows[:n], slopes)
+    return LinearEquations([each.get(CONSTANT_KEY, Fraction()) for each in coefficients[:n]], rows[:n], slopes)
 
 
 def _times(one: Fraction, other: Fraction) -> Fraction:
@@ -68,7 +68,7 @@ def _coefficients(tape: Tape, numbers: Sequence[Number]) -> list[Affine] | None:
     known: dict[int, Affine | None] = {}
     for number in sorted(_needed(tape, numbers)):
         known[number] = _of_node(tape, number, known)
-    forms = [known[n.id] if isinstance(n, Symbol) else {CONSTANT: Fraction(float(n))} for n in numbers]
+    forms = [known[n.id] if isinstance(n, Symbol) else {CONSTANT_KEY: Fraction(float(n))} for n in numbers]
     affine = [each for each in forms if each is not None]
     return affine if len(affine) == len(forms) else None
 
@@ -92,7 +92,7 @@ def _of_node(tape: Tape, number: int, known: dict[int, Affine | None]) -> Affine
     if operation == "input":
         return {a: Fraction(1)}
     if operation == "constant":
-        return {CONSTANT: Fraction(tape.constants[a])}
+        return {CONSTANT_KEY: Fraction(tape.constants[a])}
     one, other = known[a], known[b] if b >= 0 else {}
     return _result(operation, one, other) if one is not None and other is not None else None
 
@@ -105,15 +105,15 @@ def _result(operation: str, one: Affine, other: Affine) -> Affine | None:
             return _scaled(one, Fraction(-1))
         case "*" if _is_constant(one) or _is_constant(other):
             number, factor = (other, one) if _is_constant(one) else (one, other)
-            return _scaled(number, factor.get(CONSTANT, Fraction()))
+            return _scaled(number, factor.get(CONSTANT_KEY, Fraction()))
         case "/" if _is_constant(other) and other:
-            return _scaled(one, 1 / other[CONSTANT])
+            return _scaled(one, 1 / other[CONSTANT_KEY])
         case _:
             return None
 
 
 def _is_constant(one: Affine) -> bool:
-    return not one.keys() - {CONSTANT}
+    return not one.keys() - {CONSTANT_KEY}
 
 
 def _sum(one: Affine, other: Affine) -> Affine:

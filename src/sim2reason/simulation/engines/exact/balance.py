@@ -23,8 +23,8 @@ from sim2reason.simulation.engines.exact.linear import (
 )
 from sim2reason.simulation.engines.exact.system import Instant, System
 
-RISING = 1e-9  # fraction of the largest velocity or acceleration: a separating contact opens faster than this
-PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
+SEPARATION_RTOL = 1e-9  # fraction of the largest velocity or acceleration: a separating contact opens faster than this
+MAX_PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
 
 
 def separating_contacts(problem: Problem, heave: list[Row], solution: Solution, small: float) -> tuple[int, ...]:
@@ -38,7 +38,7 @@ def separating_contacts(problem: Problem, heave: list[Row], solution: Solution, 
         return ()
     attempted = set[frozenset[int]]()
     separating, wrong = frozenset[int](), frozenset(pulled)
-    for _ in range(PIVOTS):
+    for _ in range(MAX_PIVOTS):
         flipped = separating ^ wrong
         separating = flipped if flipped not in attempted else separating ^ {max(wrong)}
         attempted.add(separating)
@@ -61,7 +61,7 @@ def _rises(
         side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in separating
     )
     solution = search(opened, ContactMode(mode.acting, rubbing))
-    threshold = RISING * max(map(abs, solution.x))
+    threshold = SEPARATION_RTOL * max(map(abs, solution.x))
     rises = list(zip(separating, solution.x[len(problem.force) :], strict=True))
     closing = [number for number, rise in rises if rise < -threshold]
     pulled = [number for number, force in zip(kept, solution.forces.normal, strict=True) if force < -small]

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
-KEPT = 512  # compiled functions to keep; a process with more shapes of mechanisms recompiles some of them
+CACHE_SIZE = 512  # compiled functions to keep; a process with more shapes of mechanisms recompiles some of them
 
 
 def compiled(parameters: str, lines: Sequence[str], constants: str = "") -> Callable[..., Any]:
@@ -17,7 +17,7 @@ def compiled(parameters: str, lines: Sequence[str], constants: str = "") -> Call
     return _made(f"def make({constants}):\n    def code({parameters}):\n{body}\n    return code\n", bool(constants))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def _made(text: str, curried: bool) -> Callable[..., Any]:  # noqa: FBT001 - a key of the cache
     space: dict[str, Any] = {}
     exec(compile(text, "<straight-line code>", "exec"), space)  # noqa: S102 - see above: all of it is our own

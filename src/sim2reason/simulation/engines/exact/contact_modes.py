@@ -25,7 +25,7 @@ from sim2reason.simulation.engines.exact.linear import (
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.redundant_supports import admissible_forces
 
-TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
+ZERO_RTOL = 1e-10  # fraction of the largest load or velocity: values below count as zero
 FLIPS = 40  # iterations of the search before all modes are tried
 MODES = 2000  # largest number of modes for an exhaustive search
 EVALUATION, BEARING = 2_000, 50_000  # least operations of one mode and of a search for alternative forces
@@ -134,7 +134,7 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
     linear_solution, forces, obeys = _solved(problem, mode, active, 0.0)
-    loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in linear_solution.nulls)
+    loose = any(any(abs(part) > ZERO_RTOL for part in null[:n]) for null in linear_solution.nulls)
     if loose:
         faint = ARTIFICIAL_MASS_RATIO * (
             max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0
@@ -244,7 +244,7 @@ def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load:
 def scales(problem: Problem, x: Row) -> tuple[float, float]:
     """Return the thresholds below which a force, and an acceleration or velocity (an entry of x), count as zero."""
     size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
-    return TOLERANCE * max(problem.load, 1e-3), TOLERANCE * size
+    return ZERO_RTOL * max(problem.load, 1e-3), ZERO_RTOL * size
 
 
 def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Flips:

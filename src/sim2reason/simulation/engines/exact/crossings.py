@@ -15,10 +15,10 @@ ARMING_MARGIN = (
     1e-9  # value that an event function must exceed after starting at zero before its return to zero is an event
 )
 MARGIN_DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
-TANGENTS = 12  # pairs of tangents used to locate a minimum
-EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
+MAX_TANGENTS = 12  # pairs of tangents used to locate a minimum
+EDGE_FRACTION = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
 SLOPE_STEP = 1e-6  # fraction of a step: width of the finite difference for a slope
-HALVES = 12  # bisections towards the start in search of a margin that rises from zero
+MAX_HALVINGS = 12  # bisections towards the start in search of a margin that rises from zero
 
 Margin = Callable[[float], float]
 """An event function, which is zero at the event, over the fraction of the step."""
@@ -102,13 +102,13 @@ def _dips(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
 def _dip(margin: Margin, one: Sample, other: Sample) -> Sample | None:
     (low, left), (high, right) = one, other
     falls, rises = _slope(margin, low, left, SLOPE_STEP), _slope(margin, high, right, -SLOPE_STEP)
-    for _ in range(TANGENTS):
+    for _ in range(MAX_TANGENTS):
         if not falls < 0.0 < rises:
             return None
         meet = (left - right + rises * high - falls * low) / (rises - falls)
         if left + falls * (meet - low) > 0.0 or not low < meet < high:
             return None
-        width = EDGE * (high - low)
+        width = EDGE_FRACTION * (high - low)
         meet = min(max(meet, low + width), high - width)
         value = margin(meet)
         if value < 0.0:
@@ -128,7 +128,7 @@ def _slope(margin: Margin, x: float, value: float, step: float) -> float:
 def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
     """Return a sample, if any, where an event function that starts at zero is positive before it is negative."""
     x = next(x for x, value in samples if value < 0.0)
-    for _ in range(HALVES):
+    for _ in range(MAX_HALVINGS):
         x *= 0.5
         value = margin(x)
         if value > ARMING_MARGIN:
@@ -178,7 +178,7 @@ class StepTable:
         self.starts = np.array([step.time for step in steps])
         self.lengths = np.array([step.length for step in steps])
         self.values = np.array([step.values for step in steps])
-        self.polynomials = np.empty((dop853.COEFFICIENTS, *self.values.shape))
+        self.polynomials = np.empty((dop853.COEFFICIENT_COUNT, *self.values.shape))
         self._filled = set[int]()
 
     def fill(self, steps: Sequence[FlowStep], numbers: set[int]) -> None:
@@ -190,8 +190,8 @@ class StepTable:
 
 
 UNIT_SIZE_DISPLACEMENT = 1e-3  # m or rad: a larger displacement counts as size 1
-NONE = 1e-12  # m or rad: a smaller displacement is round-off of a body at rest
-STEP = 1e-8  # m or rad: step of finite differences
+REST_DISPLACEMENT = 1e-12  # m or rad: a smaller displacement is round-off of a body at rest
+DIFFERENCE_STEP = 1e-8  # m or rad: step of finite differences
 
 
 def motion_scale(rate: Rate, time: float, values: Values, first: Values) -> float:
@@ -204,14 +204,16 @@ def motion_scale(rate: Rate, time: float, values: Values, first: Values) -> floa
     stiffest = 0.0
     for number in range(n):
         moved = list(values)
-        moved[number] += STEP
+        moved[number] += DIFFERENCE_STEP
         there = rate(time, tuple(moved))
-        stiffest = max(stiffest, *(abs(after - now) / STEP for after, now in zip(there[n:], first[n:], strict=True)))
+        stiffest = max(
+            stiffest, *(abs(after - now) / DIFFERENCE_STEP for after, now in zip(there[n:], first[n:], strict=True))
+        )
     if not stiffest > 0.0:
         return 1.0
     speed, acceleration = (max(map(abs, part), default=0.0) for part in (values[n:], first[n:]))
     size = max(speed / sqrt(stiffest), acceleration / stiffest)
-    return size if NONE < size < UNIT_SIZE_DISPLACEMENT else 1.0
+    return size if REST_DISPLACEMENT < size < UNIT_SIZE_DISPLACEMENT else 1.0
 
 
 MAX_ROOT_ITERATIONS = 200  # largest number of iterations

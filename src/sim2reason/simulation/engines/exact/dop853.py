@@ -19,8 +19,8 @@ Rate = Callable[[float, Values], Values]
 Stages = tuple[Values, ...]
 """The rates (time derivatives) at all stages; the last stage is at the end of the step."""
 
-ORDER = 8  # order of the error estimate
-COEFFICIENTS = 7  # coefficients of the polynomial of each unknown over a step
+ERROR_ORDER = 8  # order of the error estimate
+COEFFICIENT_COUNT = 7  # coefficients of the polynomial of each unknown over a step
 SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.9, 0.2, 8.0  # safety factor, smallest and largest ratio of successive steps
 
 
@@ -43,7 +43,9 @@ def advance(rate: Rate, time: float, values: Values, first: Values, h: float, to
 def step_ratio(error: float) -> float:
     """Return the ratio of the next step size to this one, given the error relative to the tolerance."""
     return (
-        MAX_STEP_RATIO if error == 0.0 else min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / ORDER)))
+        MAX_STEP_RATIO
+        if error == 0.0
+        else min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / ERROR_ORDER)))
     )
 
 
@@ -75,7 +77,7 @@ def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance
     ahead = rate(time + h, tuple(value + h * slope for value, slope in zip(values, first, strict=True)))
     d2 = _norm([b - a for a, b in zip(first, ahead, strict=True)], scales) / h
     most = max(d1, d2)
-    return min(100.0 * h, (0.01 / most) ** (1.0 / ORDER) if most > 1e-15 else max(1e-6, 1e-3 * h))
+    return min(100.0 * h, (0.01 / most) ** (1.0 / ERROR_ORDER) if most > 1e-15 else max(1e-6, 1e-3 * h))
 
 
 def _norm(values: Sequence[float], scales: Sequence[float]) -> float:

@@ -14,16 +14,21 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
-from sim2reason.simulation.engines.exact.eigenpairs import REST_SPEED, SOUND, DampedModes, find_damped_modes
+from sim2reason.simulation.engines.exact.eigenpairs import (
+    MAX_CONDITION_NUMBER,
+    REST_SPEED,
+    DampedModes,
+    find_damped_modes,
+)
 
 IMAGINARY_RTOL = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
 ZERO_EIGENVALUE_RTOL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
-SHARE = 8  # subdivisions of the fastest period
-HALVINGS = 30  # largest number of times that an interval is halved
-FINE = 64  # subdivisions of the fastest period if margins are evaluated on each piece
-MAX_PIECES = 2500 * FINE  # largest number of pieces in one interval
-POLISHES = 60  # iterations for the time of a turning point
-SHARP = 4e-16  # relative accuracy of the time of a turning point
+SUBDIVISIONS = 8  # subdivisions of the fastest period
+MAX_HALVINGS = 30  # largest number of times that an interval is halved
+FINE_SUBDIVISIONS = 64  # subdivisions of the fastest period if margins are evaluated on each piece
+MAX_PIECES = 2500 * FINE_SUBDIVISIONS  # largest number of pieces in one interval
+MAX_POLISHES = 60  # iterations for the time of a turning point
+TURN_TIME_RTOL = 4e-16  # relative accuracy of the time of a turning point
 
 
 @dataclass(frozen=True)
@@ -134,7 +139,7 @@ class LinearInterval:
 
 def pieces(modes: Modes | DampedModes, span: float) -> int:
     """Return the number of equal pieces of a span such that each is a small part of the fastest period."""
-    return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SHARE)))
+    return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SUBDIVISIONS)))
 
 
 def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | DampedModes | None:
@@ -151,7 +156,7 @@ def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | 
         or squares.min() < -ZERO_EIGENVALUE_RTOL * largest
     ):
         return None
-    if np.linalg.cond(ways) > SOUND:
+    if np.linalg.cond(ways) > MAX_CONDITION_NUMBER:
         return None
     kept = np.where(squares > ZERO_EIGENVALUE_RTOL * largest, squares, 0.0)
     force, speed = np.linalg.solve(ways, np.array([base, here[n:]]).T).T
@@ -166,7 +171,7 @@ def solve_interval(
     `left` are the values of all margins (m,) at its start, and `slopes` their gradients, (m, 2n).
     """
     within = span
-    for _ in range(HALVINGS):
+    for _ in range(MAX_HALVINGS):
         if (left + modes.least(slopes, within) > 0.0).all():
             break
         within *= 0.5
@@ -180,9 +185,9 @@ def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array
 
     On a piece of length h, a function f is at least the smaller of its end values minus h²/8 max |f″|.
     """
-    h = 2.0 * pi / modes.fastest / FINE
+    h = 2.0 * pi / modes.fastest / FINE_SUBDIVISIONS
     sag = modes.bend(slopes) * h * h / 8.0
-    done, count = 0, FINE
+    done, count = 0, FINE_SUBDIVISIONS
     while done < MAX_PIECES and done * h < span:
         at: Array = modes.time + h * np.arange(done, done + count + 1, dtype=np.float64)
         values = left + (modes.at(at) - modes.start) @ slopes.T
@@ -213,13 +218,13 @@ def _turns(modes: Modes | DampedModes, number: int, low: Array, high: Array) -> 
     """Return the times at which a coordinate's speed is zero, one in each interval, by safeguarded Newton iteration."""
     n = len(modes.start) // 2
     sign, time = np.sign(modes.at(low)[:, n + number]), 0.5 * (low + high)
-    for _ in range(POLISHES):
+    for _ in range(MAX_POLISHES):
         speed = modes.at(time)[:, n + number]
         before = sign * speed > 0.0
         low, high = np.where(before, time, low), np.where(before, high, time)
         with np.errstate(divide="ignore", invalid="ignore"):
             step = speed / modes.accelerations(time)[:, number]
-        done = np.abs(step) <= SHARP * time
+        done = np.abs(step) <= TURN_TIME_RTOL * time
         if done.all():
             break
         guess = time - step

@@ -13,7 +13,9 @@ Complex = npt.NDArray[np.complex128]
 Exact = Sequence[Sequence[Fraction]]
 
 NEWTON_ITERATIONS = 4  # Newton iterations; each doubles the number of digits
-SHIFT = 1e-6  # fraction of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
+MAX_CORRECTION_RTOL = (
+    1e-6  # fraction of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
+)
 
 
 def rounded(matrix: Exact) -> Array:
@@ -32,7 +34,10 @@ def eigenpairs(matrix: Exact) -> tuple[Complex, Complex]:
     decomposition = np.linalg.eig(plain)
     rates, ways = np.asarray(decomposition[0], np.complex128), np.asarray(decomposition[1], np.complex128)
     largest = float(np.abs(rates).max())
-    pairs = [_improved(matrix, plain, rates[number], ways[:, number], SHIFT * largest) for number in range(len(rates))]
+    pairs = [
+        _improved(matrix, plain, rates[number], ways[:, number], MAX_CORRECTION_RTOL * largest)
+        for number in range(len(rates))
+    ]
     return np.array([rate for rate, _ in pairs]), np.array([vector for _, vector in pairs]).T
 
 
@@ -77,7 +82,7 @@ def _product(row: Sequence[Fraction], values: Sequence[Fraction]) -> Fraction:
 
 
 ZERO_RATE_RTOL = 1e-13  # fraction of the largest rate: a smaller rate counts as zero
-SOUND = 1e8  # largest condition number of the eigenvectors; at critical damping they do not form a basis
+MAX_CONDITION_NUMBER = 1e8  # largest condition number of the eigenvectors; at critical damping they do not form a basis
 REST_SPEED = 1e-11  # m/s or rad/s; a slower motion counts as rest
 
 
@@ -139,7 +144,11 @@ def find_damped_modes(time: float, start: Array, slopes: Exact, base: Array) -> 
     if not size:
         return None
     rates, vectors = eigenpairs(_scaled(slopes, Fraction(size)))
-    if np.linalg.cond(vectors) > SOUND or np.abs(rates).min() <= ZERO_RATE_RTOL * size or np.real(rates).max() >= 0.0:
+    if (
+        np.linalg.cond(vectors) > MAX_CONDITION_NUMBER
+        or np.abs(rates).min() <= ZERO_RATE_RTOL * size
+        or np.real(rates).max() >= 0.0
+    ):
         return None
     ways: Complex = np.repeat([1.0, size], n)[:, None] * vectors
     rest = start.copy()

@@ -14,15 +14,15 @@ from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
 from sim2reason.simulation.engines.exact.system import Instant
-from sim2reason.simulation.trace import ENGINES, FINEST, Trace
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 
 FLOW = Flow if core is None else NativeFlow
 SEGMENTS = 500  # largest number of motion segments
-SETTLING = 5_000  # operations of an event for each coordinate
+SETTLING_OPERATIONS = 5_000  # operations of an event for each coordinate
 
 
 @ENGINES.register("exact")
-def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+def simulate(mechanism: Mechanism, times: Array, tolerance: float = DEFAULT_STEP_RTOL) -> Trace:
     """Simulate a mechanism in closed form, or by numerical integration if its equations change, at `times` (m,).
 
     Times are in seconds, increasing from 0; `tolerance` is of an integrator's step, relative.
@@ -32,7 +32,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
         SimulationError: no consistent forces, a singular motion, more than 500 events or operations than `budget` has.
     """
     trajectory = motion(mechanism, float(times[-1]), tolerance)
-    coarse = tolerance if tolerance > FINEST else 0.0
+    coarse = tolerance if tolerance > DEFAULT_STEP_RTOL else 0.0
     state = trajectory.state(times)
     return Trace(
         "exact",
@@ -47,7 +47,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     )
 
 
-def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
+def motion(mechanism: Mechanism, duration: float, tolerance: float = DEFAULT_STEP_RTOL) -> Motion:
     """Return the motion from 0 to `duration` seconds or to the event that ends it.
 
     Raises as `simulate` does.
@@ -78,7 +78,7 @@ class _Run(Settling):
     def finished(self) -> Motion:
         """Return the complete motion; raise SimulationError if it takes too many events or operations."""
         while self.step():
-            self.system.budget.spend(SETTLING * (1 + self.system.size))
+            self.system.budget.spend(SETTLING_OPERATIONS * (1 + self.system.size))
             if len(self.segments) > SEGMENTS:
                 before = f"{self.duration:g} {self.mechanism.units.time}"
                 raise SimulationError(f"more than {SEGMENTS} events before {before}; simulate a shorter time")

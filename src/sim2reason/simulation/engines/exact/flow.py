@@ -30,19 +30,19 @@ from sim2reason.simulation.engines.exact.lengths import SwitchState
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.system import Instant
 
-ABSOLUTE = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
+ABSOLUTE_TOL_RATIO = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
 MIN_STEP = 1e-13  # fraction of the duration: a smaller step indicates a singularity
-OFF = 1e-6  # m; larger violation of an acting constraint is an error
+CONSTRAINT_VIOLATION_TOL = 1e-6  # m; larger violation of an acting constraint is an error
 SIMULTANEITY_RTOL = 1e-10  # fraction of the duration: events closer than this are simultaneous
-POLISHES = 4  # corrections of an event time by an integrator step
+MAX_POLISHES = 4  # corrections of an event time by an integrator step
 STEPS_BEFORE_ESTIMATE = 200  # steps after which the number of remaining steps is first estimated
 EIGENMODE_STEP_THRESHOLD = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead
 MIN_RESOLVED_DISPLACEMENT, SMALL_DISPLACEMENT = (
     1e-12,
     1e-4,
-)  # m or rad; displacements too small for `ABSOLUTE`; below the first none is resolved
-SHORTEST_LEAP = 10  # least length of an interval solved by eigenmodes, in fastest periods
-PIECE = 20  # operations of a piece of an eigenmode interval, for each coordinate
+)  # m or rad; displacements too small for `ABSOLUTE_TOL_RATIO`; below the first none is resolved
+MIN_LEAP = 10  # least length of an interval solved by eigenmodes, in fastest periods
+PIECE_OPERATIONS = 20  # operations of a piece of an eigenmode interval, for each coordinate
 REST_SPEED = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
 
 
@@ -54,7 +54,7 @@ class Flow:
     ) -> None:
         """Generate the code of the mode unless it exists; `tolerance` is the relative error of a step."""
         self._relative = tolerance
-        self._tolerance = ABSOLUTE * tolerance, tolerance
+        self._tolerance = ABSOLUTE_TOL_RATIO * tolerance, tolerance
         self._equations, self._phase, self._mode = equations, phase, found.mode
         self.formulas = equations.formulas(instant, phase, found.mode)
         self.start = self.time = instant.time
@@ -113,7 +113,10 @@ class Flow:
     def _advance(self, duration: float, longest: float) -> StopReason:
         end, rate = self.start + duration, self.formulas.rate
         first = rate(self.time, self.values)
-        self._tolerance = ABSOLUTE * self._relative * motion_scale(rate, self.time, self.values, first), self._relative
+        self._tolerance = (
+            ABSOLUTE_TOL_RATIO * self._relative * motion_scale(rate, self.time, self.values, first),
+            self._relative,
+        )
         before = self.formulas.margins(self.time, self.values)
         self._watch = MarginWatch(before)
         length = dop853.first_step(rate, self.time, self.values, first, self._tolerance)
@@ -175,7 +178,7 @@ class Flow:
                 return False
         return far > MIN_RESOLVED_DISPLACEMENT
 
-    def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
+    def _take(self, begin: FlowStep | None, end: float, periods: float = MIN_LEAP) -> bool:
         """Solve an interval by eigenmodes, from now or from step `begin`, replacing all steps; return the success."""
         linear = self.formulas.linear
         if linear is None:
@@ -188,7 +191,9 @@ class Flow:
         linear_stretch = solve_interval(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
         if linear_stretch is None or linear_stretch.time + linear_stretch.length < self.time:
             return False
-        self._equations.system.budget.spend(PIECE * self._equations.system.size * pieces(modes, linear_stretch.length))
+        self._equations.system.budget.spend(
+            PIECE_OPERATIONS * self._equations.system.size * pieces(modes, linear_stretch.length)
+        )
         if begin:
             self.steps, self.turns = [], []
         self.stretches.append(linear_stretch)
@@ -199,7 +204,10 @@ class Flow:
     def _check_held(self) -> None:
         """Raise SimulationError if redundant constraints block the motion, as equations of one instant cannot show."""
         constraint_values = self.formulas.held
-        if constraint_values is not None and max(map(abs, constraint_values(self.time, self.values))) > OFF:
+        if (
+            constraint_values is not None
+            and max(map(abs, constraint_values(self.time, self.values))) > CONSTRAINT_VIOLATION_TOL
+        ):
             problem = "strings and rods hold something so often that they contradict each other"
             raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s", reached=self.start)
 
@@ -265,7 +273,7 @@ class Flow:
         width = 1e-4 * min(x, 1.0 - x) if 0.0 < x < 1.0 else 1e-6
         slope = (step.margins(x + width)[number] - step.margins(x - width)[number]) / (2.0 * width * step.length)
         length = x * step.length
-        for _ in range(POLISHES):
+        for _ in range(MAX_POLISHES):
             if length <= 0.0:
                 return 0.0
             trial = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)

@@ -22,13 +22,13 @@ from sim2reason.simulation.engines.exact.tape import Symbol, Tape, float_value
 
 ZERO_MARGIN_CHANGE = 1e-9  # a smaller change of an event function counts as zero
 COINCIDENCE_DISTANCE = 1e-9  # m; the ends of a straight line segment that are closer coincide
-PIVOT = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
+MIN_PIVOT_RATIO = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
 PASSING_DISTANCE = (
     1e-7  # m; at smaller distances a line has no direction, and a step could skip the coincidence of its points
 )
 STAGES, MARGINS = 13, 3  # evaluations of rates and of margins per step
 UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and in total at least
-WRITING = 100  # operations to generate the code that executes one operation
+OPERATIONS_PER_LINE = 100  # operations to generate the code that executes one operation
 
 
 class VariableEquations:
@@ -83,7 +83,7 @@ class _Recorded:
         normal = self._normals(unknowns)
         friction = self._friction(mode, unknowns, normal)
         rows = [unknowns.rows.get(number, 0.0) for number in range(len(self.rows))]
-        guards = [(pivot, PIVOT * abs(pivot.value)) for pivot in unknowns.pivots if isinstance(pivot, Symbol)]
+        guards = [(pivot, MIN_PIVOT_RATIO * abs(pivot.value)) for pivot in unknowns.pivots if isinstance(pivot, Symbol)]
         rate = tape.code([*self.v, *unknowns.x], guards)(math)
         cost = STAGES * tape.written
         forces = [*unknowns.x, *rows, *normal, *friction]
@@ -104,7 +104,7 @@ class _Recorded:
         constraint_values = tape.code(acting)(math) if unknowns.free and acting else None
         passing = self._passing(watched)
         closing = tape.code([*passing.values(), *(watched[index][1] for index in passing)])(math)
-        self.system.budget.spend(WRITING * len(tape.nodes))
+        self.system.budget.spend(OPERATIONS_PER_LINE * len(tape.nodes))
         names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
         due = tuple(margin for margin, _ in braced)
         write = partial(tape.code, forces)

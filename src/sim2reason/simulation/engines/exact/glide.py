@@ -18,7 +18,7 @@ from sim2reason.simulation.engines.exact.margins import Margin, StopReason
 from sim2reason.simulation.engines.exact.system import CONTACT_DISTANCE, Instant, PairState, System
 
 REST_RATE = 1e-9  # m/s, rad/s or m/s²; slower motion counts as rest
-ROUNDING = 1e-12  # threshold of round-off
+ROUND_OFF_TOL = 1e-12  # threshold of round-off
 
 
 def crossing(c: float, b: float, a: float) -> float:
@@ -30,7 +30,7 @@ def crossing(c: float, b: float, a: float) -> float:
     if c <= CONTACT_DISTANCE:
         if b < -REST_RATE or (b <= REST_RATE and a < -REST_RATE):
             return 0.0
-        return -2.0 * b / a if b > REST_RATE and a < -ROUNDING else inf
+        return -2.0 * b / a if b > REST_RATE and a < -ROUND_OFF_TOL else inf
     square = b * b - 2.0 * a * c
     if square < 0.0 or (b >= 0.0 and a >= 0.0):
         return inf
@@ -90,7 +90,7 @@ class Approach:
     def _is_straight(self) -> bool:
         r = hypot(*self.apart)
         return all(
-            inner(w, w) - (inner(self.apart, w) / r) ** 2 <= ROUNDING**2 * (1.0 + inner(w, w))
+            inner(w, w) - (inner(self.apart, w) / r) ** 2 <= ROUND_OFF_TOL**2 * (1.0 + inner(w, w))
             for w in (self.velocity, self.acceleration)
         )
 
@@ -107,7 +107,7 @@ def _first_root(coefficients: Row, touching: int) -> float:
     `touching` is the number of roots at time zero, which are divided out.
     """
     left = coefficients[touching:]
-    while len(left) > 1 and abs(left[-1]) <= ROUNDING**2:
+    while len(left) > 1 and abs(left[-1]) <= ROUND_OFF_TOL**2:
         left = left[:-1]
     if len(left) <= 3:
         c, b, a = (*left, 0.0, 0.0)[:3]

@@ -13,7 +13,7 @@ from sim2reason.simulation.engines.exact.tape import float_value
 from sim2reason.simulation.trace import Budget
 
 Row = list[float]
-NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts as zero
+PIVOT_RTOL = 1e-11  # fraction of a row's largest entry: a smaller pivot counts as zero
 
 
 @dataclass(slots=True)
@@ -53,7 +53,7 @@ def eliminated(rows: list[Row]) -> LinearSolution:
     pivots: list[tuple[int, Row]] = []
     free: list[int] = []
     for column in range(size):
-        best, largest = None, NEGLIGIBLE
+        best, largest = None, PIVOT_RTOL
         for row in pending:
             entry = abs(row[column])
             if entry > largest:
@@ -63,7 +63,7 @@ def eliminated(rows: list[Row]) -> LinearSolution:
             continue
         pending = [_freed(row, best, column) if row[column] else row for row in pending if row is not best]
         pivots.append((column, best))
-    consistent = all(abs(row[size]) <= 100.0 * NEGLIGIBLE * (1.0 + abs(row[size + 1])) for row in pending)
+    consistent = all(abs(row[size]) <= 100.0 * PIVOT_RTOL * (1.0 + abs(row[size + 1])) for row in pending)
     x = _substituted_back(pivots, [0.0] * size, 1.0)
     return LinearSolution(x, [_null(pivots, size, column) for column in free], consistent)
 
@@ -239,7 +239,7 @@ def eliminated_symbols(
     left: list[int] = []
     for column in range(width):
         best = max(pending, key=lambda item, c=column: abs(float_value(item[0][c])) / item[1], default=None)
-        if best is None or abs(float_value(best[0][column])) / best[1] <= NEGLIGIBLE:
+        if best is None or abs(float_value(best[0][column])) / best[1] <= PIVOT_RTOL:
             left.append(column)
             continue
         pending = [item for item in pending if item is not best]

@@ -11,14 +11,14 @@ import os
 from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERROR_5, NODES, STAGES
 
 SWITCH = "SIM2REASON_NATIVE"  # environment variable; 0 selects Python
-API = 2  # the same as in core/dop853.c; an extension left by an earlier version is not used
+CORE_API_VERSION = 2  # the same as in core/dop853.c; an extension left by an earlier version is not used
 
 core = None
 if os.environ.get(SWITCH) != "0":
     try:
         from sim2reason.simulation.engines.exact.core import _core as core
 
-        core.set_up(API, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
+        core.set_up(CORE_API_VERSION, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
     except ImportError:  # installed without a compiler, or of another API
         core = None
 

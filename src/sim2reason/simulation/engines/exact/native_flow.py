@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.crossings import FlowStep
-from sim2reason.simulation.engines.exact.flow import ABSOLUTE, Flow
+from sim2reason.simulation.engines.exact.flow import ABSOLUTE_TOL_RATIO, Flow
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.native import core
 
@@ -33,7 +33,7 @@ class NativeFlow(Flow):
         )
         run = core.Integration(rate, margins, closing, held, formulas.passing, self.time, self.values)
         self._store(run)
-        run.begin(ABSOLUTE * self._relative, self._relative)
+        run.begin(ABSOLUTE_TOL_RATIO * self._relative, self._relative)
         while True:
             why, due = self._continued(run, end, longest)
             if why == DUE:

@@ -9,8 +9,8 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.linear import ContactMode, Problem, Row
 
-ROUNDING = 1e-12  # relative threshold of round-off
-ALLOWED = 1e-9  # fraction of the largest load: admissible residual
+ROUND_OFF_TOL = 1e-12  # relative threshold of round-off
+MAX_RESIDUAL = 1e-9  # fraction of the largest load: admissible residual
 
 
 def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row, Row] | None:
@@ -35,9 +35,9 @@ def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row,
     matrix = _stacked(problem, along, lift, sticking)
     matrix = np.hstack([matrix, -matrix[:, both]])
     right = np.concatenate([balance, bare])
-    scale = max(float(np.abs(right).max(initial=0.0)), ROUNDING)
+    scale = max(float(np.abs(right).max(initial=0.0)), ROUND_OFF_TOL)
     unknowns, residual = nonnegative(matrix, right / scale)
-    if residual > ALLOWED:
+    if residual > MAX_RESIDUAL:
         return None
     unknowns *= scale
     rows = unknowns[: len(active)]
@@ -77,7 +77,7 @@ def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
     _descend(matrix, right, x, inside)
     for _ in range(3 * columns):
         gain = np.where(inside, -np.inf, matrix.T @ (right - matrix @ x))
-        if inside.all() or gain.max() <= ROUNDING:
+        if inside.all() or gain.max() <= ROUND_OFF_TOL:
             break
         inside[gain.argmax()] = True
         _descend(matrix, right, x, inside)
@@ -93,9 +93,9 @@ def _descend(matrix: Array, right: Array, x: Array, inside: np.ndarray[tuple[int
         if not blocked.any():
             x[:] = goal
             return
-        reach = x[blocked] / np.maximum(x[blocked] - goal[blocked], ROUNDING**2)
+        reach = x[blocked] / np.maximum(x[blocked] - goal[blocked], ROUND_OFF_TOL**2)
         x += reach.min() * (goal - x)
-        out = blocked & (x <= ROUNDING)
+        out = blocked & (x <= ROUND_OFF_TOL)
         out[np.flatnonzero(blocked)[reach.argmin()]] = True
         inside &= ~out
         x[~inside] = 0.0

@@ -14,7 +14,7 @@ from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import EventLog, Segment
 from sim2reason.simulation.engines.exact.system import CONTACT_DISTANCE, Instant, PairState, System
 
-ROUNDING = 1e-9  # fraction of the largest impulse or momentum: a smaller negative impulse is round-off
+IMPULSE_RTOL = 1e-9  # fraction of the largest impulse or momentum: a smaller negative impulse is round-off
 
 
 @dataclass(slots=True)
@@ -66,7 +66,7 @@ def solve_impact(system: System, instant: Instant, impact: Impact, still: float)
     )
     sides = tuple(grip.side(slip) for grip, slip in zip(system.grips, instant.slips, strict=True))
     force_balance = search(problem, ContactMode(tuple(acting), sides))
-    small = ROUNDING * max(map(abs, (*force_balance.forces.normal, *momenta)), default=0.0)
+    small = IMPULSE_RTOL * max(map(abs, (*force_balance.forces.normal, *momenta)), default=0.0)
     apart = separating_contacts(problem, loads.heave, force_balance, small)
     return ImpactResult(
         force_balance.x, force_balance.mode.acting[: len(impact.rows)], force_balance.mode.rubbing, apart

@@ -11,7 +11,7 @@ from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Line, Mechanism, Rigid
 from sim2reason.scenes.dsl.state import check_initial_speeds
-from sim2reason.scenes.dsl.structure import ALIGNED, changing, steady
+from sim2reason.scenes.dsl.structure import PARALLEL_TOL, changing, steady
 from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, subtract_triples
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
@@ -144,7 +144,7 @@ class System:
             segments |= {
                 ends: run
                 for ends, run in zip(pairwise(line.through), self.frames.pieces(line), strict=True)
-                if run.lift or any(math.hypot(*direction) > ALIGNED for direction in run.moved.values())
+                if run.lift or any(math.hypot(*direction) > PARALLEL_TOL for direction in run.moved.values())
             }
         return segments
 
@@ -267,7 +267,7 @@ def _grips(mechanism: Mechanism) -> tuple[RoughContact, ...]:
                 face.subject, "it rests on a face but has no slide along it", "let it slide along the face"
             )
         slides = [c for c in body.coordinates if c.kind == "slide"]
-        if not face.turning and any(abs(dot(slide.axis, face.normal)) > ALIGNED for slide in slides):
+        if not face.turning and any(abs(dot(slide.axis, face.normal)) > PARALLEL_TOL for slide in slides):
             raise UnsupportedError(f"{face.subject}: it slides off the face that it rests on")
         if face.friction > 0.0 and len(slides) > 1:
             raise UnsupportedError(f"{face.subject}: a rough contact that slides in two directions has no model here")

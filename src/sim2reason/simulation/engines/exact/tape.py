@@ -23,8 +23,8 @@ Code = Callable[[Any], Callable[..., tuple[Any, ...]]]
 """What compiles code for one kind of number."""
 ConstantText = str | int
 """A constant: its text if it is part of the code, else its index among all parameters."""
-KEPT = 128  # number of cached codes, with their nodes
-DEEPEST = 12  # largest depth of brackets in a line of code
+CACHE_SIZE = 128  # number of cached codes, with their nodes
+MAX_BRACKET_DEPTH = 12  # largest depth of brackets in a line of code
 PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # literals in the code
 
 
@@ -251,7 +251,7 @@ class _Code:
     operations: int
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def _written(
     names: Sequence[str],
     nodes: Sequence[Node],
@@ -318,7 +318,7 @@ class _Writer:
             text = f"(-{self._text[a][0]})"
         else:
             text = f"({self._text[a][0]} {operation} {self._text[b][0]})"
-        if single and depth < DEEPEST:
+        if single and depth < MAX_BRACKET_DEPTH:
             self._text[number] = (text, depth)
             return
         name = f"s{len(self.lines)}"

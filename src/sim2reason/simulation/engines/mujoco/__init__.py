@@ -17,13 +17,13 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, check_initial_speeds
 from sim2reason.simulation.engines.mujoco.own_units import is_tiny, run_in_own_units
-from sim2reason.simulation.trace import ENGINES, FINEST, Trace
+from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 
 __all__ = ["simulate"]
 
 
 @ENGINES.register("mujoco")
-def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+def simulate(mechanism: Mechanism, times: Array, tolerance: float = DEFAULT_STEP_RTOL) -> Trace:
     """Simulate a mechanism with MuJoCo's model, as an independent check: the motion at `times` (m,).
 
     Times are in seconds, increasing from 0; its tolerance is its own.

@@ -12,7 +12,7 @@ import numpy as np
 
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.forces import (
-    NEVER,
+    UNLIMITED_FRICTION,
     ContactMode,
     ForceProblem,
     ForceSolution,
@@ -21,7 +21,7 @@ from sim2reason.simulation.engines.mujoco.forces import (
 
 ZERO_RTOL = 1e-9  # fraction of the largest load or acceleration: smaller values count as zero
 MAX_MODES = 4000  # largest number of contact modes to try
-MENDS = 30  # largest number of modes tried by correcting violated conditions
+MAX_CORRECTIONS = 30  # largest number of modes tried by correcting violated conditions
 
 Change = tuple[str, int, int]
 """A change of a contact mode: ``rows``, ``faces`` or ``rubbing``, the index, and the new state."""
@@ -69,7 +69,7 @@ def _smallest_rate(instant: ForceProblem, found: ForceSolution) -> float:
 def _repair(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
     """Return a consistent solution found by correcting violated conditions repeatedly; None if this cycles."""
     tried: set[ContactMode] = set()
-    while len(tried) < MENDS:
+    while len(tried) < MAX_CORRECTIONS:
         found = solve_mode(instant, mode)
         wrong = _corrections(instant, found) if found is not None else ()
         if found is not None and not wrong:
@@ -91,7 +91,7 @@ def _modes(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
         for number, ok in enumerate(instant.allowed)
         if ok and not instant.both[number] and instant.follows[number] < 0
     ]
-    rough = [i for i, mu in enumerate(instant.friction) if 0.0 < mu < NEVER and not instant.sliding[i]]
+    rough = [i for i, mu in enumerate(instant.friction) if 0.0 < mu < UNLIMITED_FRICTION and not instant.sliding[i]]
     faces = [i for i, held in enumerate(instant.guided) if not held]
     start = _admissible(instant, guess)
     changes: list[Change] = [("rows", i, not start.rows[i]) for i in free]
@@ -153,7 +153,7 @@ def _friction_corrections(
     instant: ForceProblem, found: ForceSolution, i: int, force: float, small: float
 ) -> list[Change]:
     """Return the changes of the friction of a rough face that correct its violated condition."""
-    if instant.friction[i] >= NEVER:
+    if instant.friction[i] >= UNLIMITED_FRICTION:
         return []
     side, held = found.mode.rubbing[i], float(found.friction[i])
     if side == 0:

@@ -5,17 +5,21 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.event_search import ARMED, TOLERANCE, EventSearch
+from sim2reason.simulation.engines.mujoco.event_search import ARMING_MARGIN, STEP_RTOL, EventSearch
 from sim2reason.simulation.engines.mujoco.forces import ForceSolution
 from sim2reason.simulation.engines.mujoco.instant import BEGINS, REST_SPEED, STOPS, InstantSolver
 from sim2reason.simulation.engines.mujoco.integration import Knot, extrapolate_step
 from sim2reason.simulation.engines.mujoco.margins import ActingModel, EventMargin
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
-PIECES = 24  # fraction of the duration: the longest step of changing forces, so that its ends determine the motion,
+MAX_STEP_DIVISOR = (
+    24  # fraction of the duration: the longest step of changing forces, so that its ends determine the motion,
+)
 STRIDE, MIN_SAMPLE_STEPS = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
-FIRST = 0.05  # fraction of the longest step: the first step after a separation, so that the gap opens before it closes
-STEPS = 4000  # largest number of steps
+FIRST_STEP_FRACTION = (
+    0.05  # fraction of the longest step: the first step after a separation, so that the gap opens before it closes
+)
+MAX_STEPS = 4000  # largest number of steps
 MIN_STEP = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
@@ -45,7 +49,7 @@ class EventDrivenLoop(InstantSolver):
         """Initialize at the start of the motion; raises as `run` does."""
         super().__init__(mechanism, times)
         stride = min(STRIDE * float(times[1] - times[0]), self.duration / MIN_SAMPLE_STEPS) if len(times) > 2 else 0.0
-        self.longest = self.duration if self.model.constant else max(self.duration / PIECES, stride)
+        self.longest = self.duration if self.model.constant else max(self.duration / MAX_STEP_DIVISOR, stride)
 
     def advance(self) -> bool:
         """Settle the present instant and advance to the next event; return False at the end."""
@@ -70,10 +74,10 @@ class EventDrivenLoop(InstantSolver):
         self.record.start(found.mode, found, self.switches)
         begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
         self.record.add(begun)
-        armed = [due.value > ARMED for due in before]
+        armed = [due.value > ARMING_MARGIN for due in before]
         leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
-        length = self.longest * (FIRST if leaves and not acting.constant else 1.0)
-        tolerance = TOLERANCE * acting.closeness(begun)
+        length = self.longest * (FIRST_STEP_FRACTION if leaves and not acting.constant else 1.0)
+        tolerance = STEP_RTOL * acting.closeness(begun)
         while self.duration - self.now > MIN_STEP * self.duration:
             length = min(length, self.longest, self.duration - self.now)
             last = self.record.last
@@ -91,15 +95,15 @@ class EventDrivenLoop(InstantSolver):
                 return self._apply(self.due)
             self._accept(here)
             before = after
-            armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
-            length, tolerance = length * trial.factor, TOLERANCE * acting.closeness(here)
+            armed = [was or due.value > ARMING_MARGIN for was, due in zip(armed, after, strict=True)]
+            length, tolerance = length * trial.factor, STEP_RTOL * acting.closeness(here)
         acting.check(self.record.last)
         self.now = self.duration
         return False
 
     def _count(self, length: float) -> None:
         self.steps += 1
-        if self.steps > STEPS:
+        if self.steps > MAX_STEPS:
             raise SimulationError("MuJoCo: the budget of steps is used up")
         if length < MIN_STEP * self.duration:
             raise SimulationError(f"MuJoCo: the motion becomes singular at {self.now:.6g} s")

@@ -9,38 +9,38 @@ from sim2reason.simulation.engines.mujoco.integration import Knot, Quintic, extr
 from sim2reason.simulation.engines.mujoco.margins import DISTANCES, ActingModel, EventMargin
 from sim2reason.simulation.engines.mujoco.record import PASSING_DISTANCE
 
-TOLERANCE = 2e-8  # relative tolerance of a step
-DRIFT = 1e-5  # an event function may start this far below zero, as steps and impacts leave it
-ARMED = 1e-7  # value that an event function that starts at or below zero must exceed before it can signal
-TIE = 1e-7  # fraction of the duration: events closer than this are simultaneous
-SOUGHT = 12  # attempts to end a step at an event
+STEP_RTOL = 2e-8  # relative tolerance of a step
+MARGIN_DRIFT = 1e-5  # an event function may start this far below zero, as steps and impacts leave it
+ARMING_MARGIN = 1e-7  # value that an event function that starts at or below zero must exceed before it can signal
+SIMULTANEITY_RTOL = 1e-7  # fraction of the duration: events closer than this are simultaneous
+MAX_END_ATTEMPTS = 12  # attempts to end a step at an event
 EVENT_TIME_RTOL = 1e-13  # fraction of the duration: accuracy of an event time
-WIDTH = 1e-4  # fraction of a step: width of the finite difference for a slope
-NARROW = 1e-7  # fraction of a step: width of the finite difference that decides the side of a minimum
-FORESEEN = 1e-5  # fraction of a step: accuracy of the predicted end
-HALVINGS = 30  # attempts to find a point of a step with a negative distance
+SLOPE_STEP = 1e-4  # fraction of a step: width of the finite difference for a slope
+MINIMUM_SLOPE_STEP = 1e-7  # fraction of a step: width of the finite difference that decides the side of a minimum
+PREDICTED_END_RTOL = 1e-5  # fraction of a step: accuracy of the predicted end
+MAX_HALVINGS = 30  # attempts to find a point of a step with a negative distance
 
 FRACTIONS: Array = np.arange(5.0) / 4.0  # of a step, at which event functions under constant forces are evaluated
 TO_POWERS: Array = np.linalg.inv(np.vander(FRACTIONS, increasing=True)).T.astype(np.float64)  # values to coefficients
 TO_BERNSTEIN: Array = np.array([[comb(k, i) / comb(4, i) for k in range(5)] for i in range(5)])
 """From coefficients of powers to those of Bernstein polynomials, of which the least is a lower bound in the step."""
-REAL = 1e-9  # a root with a smaller imaginary part is real
-ROUNDING = 1e-13  # fraction of the largest coefficient of a polynomial: smaller ones are round-off
+REAL_ROOT_TOL = 1e-9  # a root with a smaller imaginary part is real
+COEFFICIENT_RTOL = 1e-13  # fraction of the largest coefficient of a polynomial: smaller ones are round-off
 
 
 def _depth(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
     """Return the depth below zero at which an event function signals an event; larger if it starts at or below zero."""
-    if ready or margin < -DRIFT:
+    if ready or margin < -MARGIN_DRIFT:
         return 0.0
-    return ARMED + max(0.0, -margin)
+    return ARMING_MARGIN + max(0.0, -margin)
 
 
 def _roots(polynomial: Array) -> list[float]:
     """Return the real roots of a polynomial, whose highest powers may be round-off."""
     sizes = np.abs(polynomial)
-    degree = int(np.flatnonzero(sizes > ROUNDING * sizes.max())[-1])
+    degree = int(np.flatnonzero(sizes > COEFFICIENT_RTOL * sizes.max())[-1])
     roots = np.polynomial.polynomial.polyroots(polynomial[: degree + 1])
-    return [float(root.real) for root in roots if abs(root.imag) <= REAL]
+    return [float(root.real) for root in roots if abs(root.imag) <= REAL_ROOT_TOL]
 
 
 class EventSearch:
@@ -72,8 +72,8 @@ class EventSearch:
             return None
         if self._arm(0.5 * x):
             x = self._predict(0.5 * x) or x
-        here, margins, tolerance = start, before, TOLERANCE * self._acting.closeness(start)
-        for _ in range(SOUGHT):
+        here, margins, tolerance = start, before, STEP_RTOL * self._acting.closeness(start)
+        for _ in range(MAX_END_ATTEMPTS):
             trial = extrapolate_step(
                 self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance
             )
@@ -100,7 +100,7 @@ class EventSearch:
     def _slope(self, x: float, margins: list[EventMargin]) -> float:
         """Return the derivative of the least event function at a fraction of the step."""
         if self._polynomials is None:
-            return (self._least_margin_at(x + WIDTH) - self._least_margin_at(x - WIDTH)) / (2.0 * WIDTH)
+            return (self._least_margin_at(x + SLOPE_STEP) - self._least_margin_at(x - SLOPE_STEP)) / (2.0 * SLOPE_STEP)
         least = int(np.argmin([due.value + room for due, room in zip(margins, self._depth, strict=True)]))
         return float(self._slopes(x)[least])
 
@@ -113,13 +113,15 @@ class EventSearch:
 
     def _arm(self, x: float) -> bool:
         """Update which event functions became positive by a fraction of the step; return whether any did."""
-        risen = [room > 0.0 and due.value > ARMED for room, due in zip(self._depth, self._margins_at(x), strict=True)]
+        risen = [
+            room > 0.0 and due.value > ARMING_MARGIN for room, due in zip(self._depth, self._margins_at(x), strict=True)
+        ]
         self._depth = [0.0 if rose else room for rose, room in zip(risen, self._depth, strict=True)]
         return any(risen)
 
     def _simultaneous(self, x: float, margins: list[EventMargin], duration: float) -> list[EventMargin]:
         """Return the event functions that have reached zero, or will within the tolerance of simultaneous events."""
-        near = [max(1e-9, TIE * duration * abs(slope) / self._span) for slope in self._slopes(x).tolist()]
+        near = [max(1e-9, SIMULTANEITY_RTOL * duration * abs(slope) / self._span) for slope in self._slopes(x).tolist()]
         return [due for due, r, close in zip(margins, self._depth, near, strict=True) if due.value + r <= close]
 
     def _least(self, margins: list[EventMargin]) -> float:
@@ -157,13 +159,13 @@ class EventSearch:
         (1979), and are bracketed at once.
         """
         left, over = self._least_margin_at(low), self._least_margin_at(high)
-        while high - low > FORESEEN:
+        while high - low > PREDICTED_END_RTOL:
             middle = 0.5 * (low + high)
             value = self._least_margin_at(middle)
             root = sqrt(max(value * value - left * over, 0.0))
             guess = middle + (middle - low) * (value / root if root else 0.0)
             low, high, left, over = (middle, high, value, over) if value > 0.0 else (low, middle, left, value)
-            for x in (guess - 0.4 * FORESEEN, guess + 0.4 * FORESEEN):
+            for x in (guess - 0.4 * PREDICTED_END_RTOL, guess + 0.4 * PREDICTED_END_RTOL):
                 if low < x < high:
                     value = self._least_margin_at(x)
                     low, high, left, over = (x, high, value, over) if value > 0.0 else (low, x, left, value)
@@ -179,8 +181,8 @@ class EventSearch:
         ends = [[due.value for due in each if due.kind in DISTANCES] for each in self._ends]
         if not ends[0]:
             return None
-        falls = (np.array(self._distances(WIDTH)) - ends[0]) / WIDTH
-        rises = (np.array(ends[1]) - self._distances(1.0 - WIDTH)) / WIDTH
+        falls = (np.array(self._distances(SLOPE_STEP)) - ends[0]) / SLOPE_STEP
+        rises = (np.array(ends[1]) - self._distances(1.0 - SLOPE_STEP)) / SLOPE_STEP
         for number, (left, right, fall, rise, meets) in enumerate(zip(*ends, falls, rises, reach, strict=True)):
             if fall < 0.0 < rise:
                 meet = (left - right + rise) / (rise - fall)
@@ -191,8 +193,8 @@ class EventSearch:
     def _bottom(self, number: int, x: float) -> float | None:
         """Return a fraction of the step at which a distance is negative, sought from `x` along its slope; else None."""
         low, high = 0.0, 1.0
-        for _ in range(HALVINGS):
-            value, after = (self._distances(each)[number] for each in (x, x + NARROW))
+        for _ in range(MAX_HALVINGS):
+            value, after = (self._distances(each)[number] for each in (x, x + MINIMUM_SLOPE_STEP))
             if value < 0.0:
                 return x
             low, high = (x, high) if after < value else (low, x)

@@ -11,13 +11,13 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.trace import Budget
 
 MAX_VERTICES = 3000  # largest number of vertices to examine
-SLIP = 1e-9  # fraction of the largest value of a condition: violation tolerated at a vertex
+VERTEX_VIOLATION_RTOL = 1e-9  # fraction of the largest value of a condition: violation tolerated at a vertex
 SINGULAR_VALUE_RTOL = 1e-10  # fraction of the largest: a smaller singular value counts as zero
 TRY, FORCE = 4_000, 1_500  # operations for one contact mode, and for each row and face in addition
-NEVER = 1e9  # friction coefficient that represents a contact that never slips
-LARGE = 1e9  # larger accelerations or forces belong to an unsupported massless part
+UNLIMITED_FRICTION = 1e9  # friction coefficient that represents a contact that never slips
+MAX_ACCELERATION = 1e9  # larger accelerations or forces belong to an unsupported massless part
 ZERO_PATTERN_TOL = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
-HUGE = 1e12  # limit on the growth of a solution by division by a small pivot
+MAX_GROWTH = 1e12  # limit on the growth of a solution by division by a small pivot
 
 
 class ContactMode(NamedTuple):
@@ -177,7 +177,7 @@ def maximize_least_condition(solution: Array, free: Array, conditions: Array) ->
         return solution
     vertices = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
     margins = base + vertices[:, :-1] @ change.T
-    near = SLIP * max(float(np.abs(base).max(initial=0.0)), 1.0)
+    near = VERTEX_VIOLATION_RTOL * max(float(np.abs(base).max(initial=0.0)), 1.0)
     allowed = margins.min(axis=1) >= vertices[:, -1] - near
     if not allowed.any():
         return solution
@@ -192,7 +192,7 @@ def _is_regular(matrix: Array) -> bool:
     side = np.sqrt(2.0) * steps % 1.0 - 0.5
     try:
         solution: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
-        return bool(np.abs(solution).max(initial=0.0) < HUGE)
+        return bool(np.abs(solution).max(initial=0.0) < MAX_GROWTH)
     except np.linalg.LinAlgError:
         return False
 
@@ -206,7 +206,7 @@ def solve_regular(matrix: Array, wanted: Array) -> Array | None:
     scale = np.abs(matrix).max(axis=1, initial=1e-300)
     large = float(np.abs(solution).max(initial=0.0))
     sound = np.isfinite(large) and np.abs((matrix @ solution - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
-    return solution if sound and large <= LARGE else None
+    return solution if sound and large <= MAX_ACCELERATION else None
 
 
 def _least_norm(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:

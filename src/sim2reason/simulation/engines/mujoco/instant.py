@@ -7,9 +7,9 @@ import numpy as np
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.contact_modes import all_acting, search
-from sim2reason.simulation.engines.mujoco.event_search import TIE
+from sim2reason.simulation.engines.mujoco.event_search import SIMULTANEITY_RTOL
 from sim2reason.simulation.engines.mujoco.forces import (
-    NEVER,
+    UNLIMITED_FRICTION,
     ContactMode,
     ForceProblem,
     ForceSolution,
@@ -25,10 +25,10 @@ from sim2reason.simulation.trace import Event
 CONTACT_DISTANCE = 1e-7  # m; smaller distances count as contact
 REST_SPEED = 1e-6  # m/s or m/s²; slower motion counts as rest
 FAINT, MIN_LOAD = 1e-7, 1e-3  # fraction of the largest load, at least this, N: smaller tensions hold nothing
-FREE = 1e-6  # smaller components of a motion of massless parts are round-off
-LIFT = 1e-6  # fraction of the largest speed: a smaller speed of separation after an impact is round-off
+FREE_MOTION_TOL = 1e-6  # smaller components of a motion of massless parts are round-off
+LIFT_SPEED_RTOL = 1e-6  # fraction of the largest speed: a smaller speed of separation after an impact is round-off
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
-CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
+REPEATED_IMPACT_TIME = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
 
@@ -105,9 +105,9 @@ class InstantSolver:
         holding += [np.eye(self.model.size)[self.model.rises[i]] for i in shut]
         holding += [self.model.slips[i] for i in shut if self.model.friction[i] > 0.0 and not found.mode.rubbing[i]]
         held = np.array(holding).reshape(len(holding), self.model.size) @ free
-        if np.linalg.matrix_rank(held, tol=FREE) == free.shape[1]:
+        if np.linalg.matrix_rank(held, tol=FREE_MOTION_TOL) == free.shape[1]:
             return []
-        moving = np.abs(free).max(axis=1)[self.model.coordinates] > FREE
+        moving = np.abs(free).max(axis=1)[self.model.coordinates] > FREE_MOTION_TOL
         return [c.name for c, moves in zip(self.mechanism.coordinates, moving.tolist(), strict=True) if moves]
 
     def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> ContactMode:
@@ -130,7 +130,9 @@ class InstantSolver:
                 sides[due.number] = due.side
             elif due.kind == "slip":
                 sides[due.number] = 0
-        return tuple(side if 0.0 < mu < NEVER else 0 for side, mu in zip(sides, self.model.friction, strict=True))
+        return tuple(
+            side if 0.0 < mu < UNLIMITED_FRICTION else 0 for side, mu in zip(sides, self.model.friction, strict=True)
+        )
 
     def _may_act(self, number: int, row: Row) -> bool:
         if row.both and row.follows < 0:
@@ -238,13 +240,13 @@ class InstantSolver:
         instant, every = self._impact_problem(rows, acts, touching)
         speeds = self.model.slips @ self.v
         sides = tuple(
-            int(np.sign(s)) if abs(s) > REST_SPEED and mu < NEVER else 0
+            int(np.sign(s)) if abs(s) > REST_SPEED and mu < UNLIMITED_FRICTION else 0
             for s, mu in zip(speeds, self.model.friction, strict=True)
         )
         began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
         solution = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
         self.v = np.where(np.abs(solution.x) < REST_SPEED * 1e-3, 0.0, solution.x)
-        self._lift(solution, LIFT * float(np.abs(self.v).max(initial=0.0)))
+        self._lift(solution, LIFT_SPEED_RTOL * float(np.abs(self.v).max(initial=0.0)))
         for number, (row, acts_now) in enumerate(zip(rows, solution.mode.rows, strict=False)):
             if acts_now and not row.both and row.rate > 10.0 * REST_SPEED:
                 self.note(BEGINS[row.kind], row.name)
@@ -275,7 +277,9 @@ class InstantSolver:
         names = [name for i in hits for name in self.mechanism.meetings[i].names]
         recent = [self.hits[name] for name in names if name in self.hits]
         recent += [self.jerks[name] for name in snapped if name in self.jerks]
-        early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
+        early = min(
+            (hit for hit in recent if SIMULTANEITY_RTOL < self.now - hit[0] < REPEATED_IMPACT_TIME), default=None
+        )
         if early is None:
             return False
         self.now = early[0]

@@ -12,7 +12,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 
-SEQUENCE = (2, 4, 6, 8)  # numbers of substeps
+SUBSTEP_SEQUENCE = (2, 4, 6, 8)  # numbers of substeps
 MIN_STAGE = 1  # index of the first of them after which a step may be accepted
 SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.85, 0.1, 2.0  # safety factor, smallest and largest ratio of successive steps
 
@@ -33,10 +33,10 @@ def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: fl
     """Compute a step of size `h` from `values`, where the rate is `first`, with the order required by the tolerance."""
     table: list[Array] = []
     error = 0.0
-    for column, substeps in enumerate(SEQUENCE):
+    for column, substeps in enumerate(SUBSTEP_SEQUENCE):
         row = [_midpoint(rate, time, values, first, h, substeps)]
         for order in range(column):
-            weight = (substeps / SEQUENCE[column - order - 1]) ** 2 - 1.0
+            weight = (substeps / SUBSTEP_SEQUENCE[column - order - 1]) ** 2 - 1.0
             row.append(row[order] + (row[order] - table[order]) / weight)
         table = row
         if column >= MIN_STAGE:
@@ -45,7 +45,7 @@ def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: fl
             error = float(np.sqrt(np.mean(scaled_difference * scaled_difference))) if len(values) else 0.0
             if error <= 1.0:
                 break
-    spare = len(SEQUENCE) - len(table)
+    spare = len(SUBSTEP_SEQUENCE) - len(table)
     return Extrapolated(table[-1], error, MAX_STEP_RATIO if spare else _factor(error))
 
 
@@ -60,7 +60,7 @@ def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, su
 
 def _factor(error: float) -> float:
     return (
-        min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / (2 * len(SEQUENCE) - 1))))
+        min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / (2 * len(SUBSTEP_SEQUENCE) - 1))))
         if error
         else MAX_STEP_RATIO
     )

@@ -8,8 +8,8 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.forces import (
-    LARGE,
-    NEVER,
+    MAX_ACCELERATION,
+    UNLIMITED_FRICTION,
     Faces,
     ForceSolution,
     SwitchState,
@@ -21,7 +21,7 @@ from sim2reason.simulation.engines.mujoco.integration import Knot
 from sim2reason.simulation.engines.mujoco.model import CompiledModel
 from sim2reason.simulation.engines.mujoco.record import MotionRecord
 
-STEADY = 1e-6  # fraction of the largest acceleration: constant ones differ by less
+CONSTANT_RATE_RTOL = 1e-6  # fraction of the largest acceleration: constant ones differ by less
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 """The kinds of margins that can dip below zero and rise again within a step."""
@@ -59,7 +59,9 @@ class ActingModel:
             n = self.model.size
             self.model.set_state(knot.time, knot.values[:n], knot.values[n:], self.switches)
             now, started = self.forces().x, self._found.x
-            if np.abs(now - started).max(initial=0.0) > STEADY * max(1.0, float(np.abs(started).max(initial=0.0))):
+            if np.abs(now - started).max(initial=0.0) > CONSTANT_RATE_RTOL * max(
+                1.0, float(np.abs(started).max(initial=0.0))
+            ):
                 raise SimulationError("MuJoCo: a force changes between two events")
 
     def _rate(self) -> Callable[[float, Array], Array]:
@@ -72,7 +74,9 @@ class ActingModel:
             model.set_state(time, values[:n], values[n:], switches)
             if free:
                 x = model.free_acceleration(model.loads())
-                return np.concatenate([values[n:], x if abs(x).max(initial=0.0) < LARGE else self.forces().x])
+                return np.concatenate(
+                    [values[n:], x if abs(x).max(initial=0.0) < MAX_ACCELERATION else self.forces().x]
+                )
             rows = [model.row(number) for number in acts.rows]
             row_gradients, targets = [row.gradient for row in rows], [row.target for row in rows]
             if not acts.closed and not model.uneven:  # M⁻¹ of a nearly massless part would leave round-off
@@ -149,7 +153,7 @@ class ActingModel:
             side = self.mode.rubbing[number]
             if side:
                 yield EventMargin("slip", number, side, side * float(model.slips[number] @ model.v))
-            elif 0.0 < friction < NEVER:
+            elif 0.0 < friction < UNLIMITED_FRICTION:
                 friction_force = float(forces.friction[number])
                 yield EventMargin("grip", number, 1, friction * abs(normal) + friction_force)
                 yield EventMargin("grip", number, -1, friction * abs(normal) - friction_force)

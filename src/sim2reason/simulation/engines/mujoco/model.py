@@ -15,13 +15,21 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
-from sim2reason.simulation.engines.mujoco.forces import LARGE, NEVER, Row, SwitchState, solve_regular
-from sim2reason.simulation.engines.mujoco.specification import TINY, Specification, mujoco
+from sim2reason.simulation.engines.mujoco.forces import (
+    MAX_ACCELERATION,
+    UNLIMITED_FRICTION,
+    Row,
+    SwitchState,
+    solve_regular,
+)
+from sim2reason.simulation.engines.mujoco.specification import SUBSTITUTE_MASS, Specification, mujoco
 from sim2reason.simulation.trace import OPERATIONS, Budget
 
-UNEVEN = 1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
+MIN_INERTIA_RATIO = (
+    1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
+)
 OVERLAP, COINCIDENCE_DISTANCE = 1e-8, 1e-10  # m; limits at the start; the exact engine refuses whatever exceeds these
-FIXED = 1e-9  # largest derivative of the separation of two points that do not move apart
+ZERO_DERIVATIVE_TOL = 1e-9  # largest derivative of the separation of two points that do not move apart
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
@@ -80,13 +88,13 @@ class CompiledModel:
         self._check_apart()
         self._starts = self._lines()[0].values
         masses = self.inertia().diagonal()
-        self.uneven = bool((masses < UNEVEN * float(masses.max(initial=0.0))).any())
+        self.uneven = bool((masses < MIN_INERTIA_RATIO * float(masses.max(initial=0.0))).any())
 
     def _check_apart(self) -> None:
         for line in self.mechanism.lines:
             for first, last in pairwise(line.through):
                 one, other = self.site(first), self.site(last)
-                moves = np.abs(other.jacobian - one.jacobian).max(initial=0.0) > FIXED
+                moves = np.abs(other.jacobian - one.jacobian).max(initial=0.0) > ZERO_DERIVATIVE_TOL
                 if moves and np.linalg.norm(other.place - one.place) <= COINCIDENCE_DISTANCE:
                     message = f"sites {first} and {last} coincide at the start"
                     raise SceneError(line.name, message, "leave some string between")
@@ -130,7 +138,7 @@ class CompiledModel:
         if not any(body.coordinates and body.mass == 0.0 for body in self.mechanism.bodies):
             return np.zeros((self.size, 0))
         sizes, motions = np.linalg.eigh(self.inertia())
-        return motions[:, sizes < 10.0 * TINY]
+        return motions[:, sizes < 10.0 * SUBSTITUTE_MASS]
 
     def free_acceleration(self, loads: Array) -> Array:
         """Return the accelerations (joints,) under `loads` (joints,) without any constraint."""
@@ -157,7 +165,7 @@ class CompiledModel:
         if not yielding > 0.0:
             return None
         x = free - (float(gradient @ free) - float(targets[0])) / yielding * answer
-        return x if abs(x).max(initial=0.0) < LARGE else None
+        return x if abs(x).max(initial=0.0) < MAX_ACCELERATION else None
 
     def _point_motion(self, kind: str, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site or a centre of mass."""
@@ -328,7 +336,7 @@ class CompiledModel:
     @property
     def friction(self) -> Array:
         """Return the friction coefficients of the faces; a large number represents a face that never slips."""
-        return np.array([min(face.friction, NEVER) for face in self.mechanism.faces])
+        return np.array([min(face.friction, UNLIMITED_FRICTION) for face in self.mechanism.faces])
 
 
 def _triple(vector: Array) -> Triple:

@@ -15,8 +15,10 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 mujoco: Any = import_module("mujoco")  # it ships no types; seen by few modules of this package
 Element: TypeAlias = Any  # part of a specification: a body, a joint, a site
 
-TINY = 1e-9  # kg or kg m²; substitute mass of a massless moving body, since MuJoCo divides by mass
-ROUND = 1e-10  # fraction of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
+SUBSTITUTE_MASS = 1e-9  # kg or kg m²; substitute mass of a massless moving body, since MuJoCo divides by mass
+INERTIA_PADDING = (
+    1e-10  # fraction of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
+)
 
 
 @contextmanager
@@ -63,9 +65,9 @@ class Specification:
         carrier = self.spec.worldbody if body.parent is None else self.bodies[body.parent]
         made = self.bodies[body.name] = carrier.add_body(pos=body.at)
         made.explicitinertial = True
-        made.mass, made.ipos = max(body.mass, TINY if body.coordinates else 0.0), body.center
+        made.mass, made.ipos = max(body.mass, SUBSTITUTE_MASS if body.coordinates else 0.0), body.center
         made.gravcomp = float(body.mass == 0.0)  # the substitute mass has no weight
-        more = max(ROUND * max(body.inertia[:3]), TINY * 1e-3)
+        more = max(INERTIA_PADDING * max(body.inertia[:3]), SUBSTITUTE_MASS * 1e-3)
         made.fullinertia = [*(part + more for part in body.inertia[:3]), *body.inertia[3:]]
         face = self._mechanism.contacts.get(body.name)
         if face is not None and not face.turning:

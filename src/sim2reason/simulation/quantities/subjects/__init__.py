@@ -8,7 +8,7 @@ from typing import ClassVar
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.vectors import Vector
 
-LETTERS = 2  # largest number of characters of a label letter, as opposed to a noun
+MAX_LETTER_LENGTH = 2  # largest number of characters of a label letter, as opposed to a noun
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ class Subject(ABC):
     def label(self, phrase: str) -> str:
         """Return a short label for the legend of a plot, such as the letter of *block A*."""
         words = phrase.removeprefix("the ").split()
-        return words[1] if len(words) == 2 and len(words[1]) <= LETTERS else " ".join(words)
+        return words[1] if len(words) == 2 and len(words[1]) <= MAX_LETTER_LENGTH else " ".join(words)
 
 
 def is_stated_for_all(need: str, mechanism: Mechanism, stated_paths: Collection[str]) -> bool:

@@ -142,9 +142,9 @@ def _phrases() -> tuple[tuple[re.Pattern[str], str], ...]:
 
 
 MAX_SINGLE_WORDS = 4  # words that fix a number, such as *smooth*, each of which gets a scene of its own
-KINDS = 4  # classes of parts tried for the same field, such as bodies that roll
-RANDOM = 1  # random scenes of each entity
-WORDINGS = 2  # of each scene
+MAX_PART_CLASSES = 4  # classes of parts tried for the same field, such as bodies that roll
+RANDOM_SCENES = 1  # random scenes of each entity
+WORDINGS_PER_SCENE = 2  # of each scene
 IT = "it"
 GRAVITY, _GRAVITY_OF_SYMBOL = "Take g = $g$.", "The acceleration of free fall is $g$."  # as with a number, and without
 
@@ -207,8 +207,8 @@ def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
         )
     for model, name, field_type in fields:
         kinds = [kind.__name__ for kind in field_type.models if len(field_type.models) > 1]
-        yield from ({**chances(cls), f"{model.__name__}.{name}": (kind,)} for kind in kinds[:KINDS])
-    yield from (choices(cls, np.random.default_rng(seed)) for seed in range(RANDOM))
+        yield from ({**chances(cls), f"{model.__name__}.{name}": (kind,)} for kind in kinds[:MAX_PART_CLASSES])
+    yield from (choices(cls, np.random.default_rng(seed)) for seed in range(RANDOM_SCENES))
 
 
 def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: Container[str]) -> Iterator[Form]:
@@ -218,8 +218,8 @@ def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: 
         scene = close_ports(Named(name=IT, entity=draw(cls, rng, chosen)), rng)
         first = _FixedChoiceWriter(scene, Names(), rng, symbolic_but_zero)
         first.sentences()
-        for wording in range(WORDINGS):
-            yield from _new_forms(scene, first, number * WORDINGS + wording, known)
+        for wording in range(WORDINGS_PER_SCENE):
+            yield from _new_forms(scene, first, number * WORDINGS_PER_SCENE + wording, known)
     except (SceneError, UnsupportedError, ValidationError):
         return
 

@@ -23,7 +23,7 @@ from sim2reason.text.prose.closings import CLOSINGS, REST_SENTENCES, is_assumpti
 
 MIN_SIMILARITY = 0.2  # share of common words of two sentences from which one is suggested for the other
 MAX_SENTENCE_LENGTH = 600  # characters of a sentence that is compared with the library's
-NUMBERS = 1.0  # weight of a number, compared with a word
+NUMBER_WEIGHT = 1.0  # weight of a number, compared with a word
 _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
 
@@ -110,8 +110,8 @@ def _likeness(user_content: Content, form: Form) -> float:
         [to_coherent_unit(unit)[0] for unit in form.units],
     )
     shared = _common(kinds, units)
-    either = len(mine | other) + NUMBERS * (len(kinds) + len(units) - shared)
-    return (len(mine & other) + NUMBERS * shared) / either if either else 0.0
+    either = len(mine | other) + NUMBER_WEIGHT * (len(kinds) + len(units) - shared)
+    return (len(mine & other) + NUMBER_WEIGHT * shared) / either if either else 0.0
 
 
 def _common(some: Sequence[str], others: Sequence[str]) -> int:
@@ -166,10 +166,10 @@ def _of_kind(kinds: list[str], kind: str) -> list[int]:
     return [index for index, other in enumerate(kinds) if other == kind]
 
 
-CHOICES = 4  # forms of a sentence that are tried
+MAX_FORMS = 4  # forms of a sentence that are tried
 MAX_TEXTS = 24  # rewritten texts that are tried
 FIRST_LETTER = "A"
-LAST = 1.0  # relative position of the last sentence of a text
+LAST_POSITION = 1.0  # relative position of the last sentence of a text
 PRESUMED_CLOSINGS = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
 """Closings that people leave out: the usual g, pulleys without friction, strings that are taut, room to move."""
 
@@ -224,7 +224,7 @@ def recast_text(sentences: Sequence[str]) -> Iterator[RewrittenText]:
         return
     clauses = [clause for each in sentence_clauses for clause in each or ()]
     nouns = frozenset[str]().union(*(content(sentence).facts & NOUNS for sentence in sentences))
-    options = [_of_these(clause, nouns)[:CHOICES] for clause in clauses if clause]
+    options = [_of_these(clause, nouns)[:MAX_FORMS] for clause in clauses if clause]
     for chosen in islice(product(*options), MAX_TEXTS):
         from_rest = len(options) < len(clauses)
         yield RewrittenText(tuple(text for text, _ in chosen), from_rest)
@@ -283,7 +283,7 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
         for form in dict.fromkeys((*first, *forms))
     ]
     usual = reword_textbook_sentence(sentence)
-    return ([(usual, LAST / 2)] if usual else wordings) or None
+    return ([(usual, LAST_POSITION / 2)] if usual else wordings) or None
 
 
 def _lettered(text: str, form: Form, user_content: Content) -> str:

@@ -126,7 +126,7 @@ SPELLED: Mapping[str, str] = {
 }
 SIGNIFICANT_DIGITS = 12  # significant digits of a converted number
 LEAST_PLAIN, MOST_PLAIN = 1e-6, 1e9  # smaller and greater numbers are written with powers of ten
-MOST_WORDS = 5  # of a unit, as in "metres per second per second"
+MAX_UNIT_WORDS = 5  # of a unit, as in "metres per second per second"
 _NUMBER = re.compile(
     rf"(?<![\w.#])([-{MINUS}]?\d{{1,30}}(?:\.\d{{1,30}})?)(?:[eE]([-+{MINUS}]?\d{{1,3}})"
     rf"|\s?[x×*]\s?10\^?([-{MINUS}]?\d{{1,3}}|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{{1,4}}))?(?![\d.]\d|[A-Za-z]\d)"
@@ -201,7 +201,7 @@ def _unit(text: str, at: int) -> tuple[str, int]:
     """Return the unit at an index of a text (may be empty), and the index after it."""
     ahead = _UNIT.match(text, at)
     words = ahead[1].split(" ") if ahead else []
-    for count in range(min(len(words), MOST_WORDS), 0, -1):
+    for count in range(min(len(words), MAX_UNIT_WORDS), 0, -1):
         joined = " ".join(words[:count])
         if count > 1 and not re.search(r"/|\bper\b|⁻|\^-|[a-z]-\d", joined):
             continue  # no product of units with a word that follows by chance

@@ -129,7 +129,7 @@ TEXTBOOK_SCENES: Registry[TextbookScene] = Registry(
 )
 
 
-MOST_SENTENCES = 12  # longest text in which a superfluous sentence is searched for
+MAX_SEARCHED_SENTENCES = 12  # longest text in which a superfluous sentence is searched for
 MAX_TEXT_LENGTH = 1500  # characters of a text that is translated
 RESERVED = re.compile(r"[#|]")  # characters that stand for numbers and for matched words below
 _AIR = (
@@ -211,7 +211,7 @@ def library_texts(text: str) -> list[LibraryText]:
 
 def find_superfluous_sentence(sentences: Sequence[str]) -> int | None:
     """Return the index of the one sentence without which a text can be translated; None unless it is unique."""
-    if len(sentences) > MOST_SENTENCES:
+    if len(sentences) > MAX_SEARCHED_SENTENCES:
         return None
     others = (" ".join((*sentences[:index], *sentences[index + 1 :])) for index in range(len(sentences)))
     indices = (index for index, text in enumerate(others) if any(not each.missing for each in library_texts(text)))

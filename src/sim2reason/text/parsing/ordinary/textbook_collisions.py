@@ -6,7 +6,7 @@ from itertools import product
 from sim2reason.text.parsing.ordinary.lexicon import MINUS, format_amount
 from sim2reason.text.parsing.ordinary.textbook import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
-STRONG = 1e4  # ratio of magnetic force to weight above which a text need not mention gravity
+MIN_FORCE_RATIO = 1e4  # ratio of magnetic force to weight above which a text need not mention gravity
 
 
 def _charge(facts: Facts) -> str:
@@ -23,7 +23,7 @@ def _charge(facts: Facts) -> str:
     if facts.has("enters"):
         facts.missing.append("how far the field extends that it enters")
     force = abs(charge.value) * speed * field if charge is not None else 0.0
-    if not facts.has("weightless") and charge is not None and force < STRONG * mass * facts.g:
+    if not facts.has("weightless") and charge is not None and force < MIN_FORCE_RATIO * mass * facts.g:
         facts.missing.append("that there is no gravity")
     of = "a negative charge of magnitude" if negative else "a positive charge of"
     return (
