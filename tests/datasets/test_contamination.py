@@ -125,11 +125,11 @@ def test_what_can_not_be_read_is_one_line(tmp_path: Path, name: str, content: by
     ("limit", "module", "size", "name"),
     [
         ("MAX_WORDS", contamination, 5, "b.txt"),
-        ("LARGEST_FILE", contamination, 100, "b.txt"),
-        ("LARGEST_PART", contamination, 100, "b.txt"),
-        ("LARGEST_PART", contamination, 100, "b.json"),
-        ("LARGEST_PART", contamination, 100, "b.jsonl"),
-        ("LARGEST_PART", contamination, 100, "b.parquet"),
+        ("MAX_FILE_SIZE", contamination, 100, "b.txt"),
+        ("MAX_PART_SIZE", contamination, 100, "b.txt"),
+        ("MAX_PART_SIZE", contamination, 100, "b.json"),
+        ("MAX_PART_SIZE", contamination, 100, "b.jsonl"),
+        ("MAX_PART_SIZE", contamination, 100, "b.parquet"),
     ],
 )
 def test_sizes_are_bounded(

@@ -10,10 +10,10 @@ import pytest
 from plain_scenes import atwood, half_atwood
 from sim2reason.questions import Query, SimulatedScene
 from sim2reason.questions.conditions import UniquenessScan
-from sim2reason.questions.dependence import AnswerFunction, lengthen_strings
+from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Target
-from sim2reason.questions.unknown import far_from
+from sim2reason.questions.unknown import far_from, lengthen_strings
 from sim2reason.simulation.scenes import simulate
 
 ROOT = 2.0

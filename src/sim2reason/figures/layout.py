@@ -153,9 +153,8 @@ class Arranger:
         self.wheels = self._wheels()
         self.options = [self._lengths(strand) for strand in self.outer]
         self.flips = len(self.groups) + len(self.swaps)
-        self.counts = (
-            [2] * self.flips + [len(lengths) for lengths in self.options] + [len(PULLEY_FACTORS)] * len(self.wheels)
-        )
+        factor_counts = [len(PULLEY_FACTORS)] * len(self.wheels)
+        self.counts = [2] * self.flips + [len(lengths) for lengths in self.options] + factor_counts
         self.weights = [FLIPPED] * self.flips + [LONGER] * len(self.outer) + [WIDENED] * len(self.wheels)
         self._poses: dict[tuple[Choice, Choice], Pose] = {}
 

@@ -201,7 +201,7 @@ def _directions(plain: str) -> list[Direction]:
 
 
 def _lowered(plain: str) -> list[str]:
-    """Return the words of a phrase in lower case, with directions as keys of `_DIRECTION_WORDS` and axes as *x-axis*."""
+    """Return the words of a phrase in lower case: directions as keys of `_DIRECTION_WORDS`, axes as *x-axis*."""
     lowered = _ARROWS.sub(lambda arrow: f" {(COMMANDS[arrow[1]] if arrow[1] else SIGNS[arrow[2]])[1]} ", plain).lower()
     lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
     lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)

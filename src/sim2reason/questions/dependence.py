@@ -1,7 +1,6 @@
 """The answer to a query as a function of one number of the scene, with its roots and extremes."""
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 from math import inf, isfinite
@@ -21,7 +20,7 @@ from sim2reason.questions.study import (
     SimulatedScene,
     change_directions,
 )
-from sim2reason.questions.unknown import LENGTHS, with_number
+from sim2reason.questions.unknown import with_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
@@ -32,7 +31,6 @@ BORDER_BISECTIONS = 12  # bisections towards the limit beyond which there is no 
 EVENT_TIME_RTOL = 1e-6  # relative
 RELATIVE_STEP = 1e-4  # relative step of numerical derivatives
 SECANTS, ROUNDS, ROOT_RTOL = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
-STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 GROUND = "limit"  # kind of the event that ends the motion of a falling body
 
 EventCourse = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
@@ -191,7 +189,7 @@ class AnswerFunction:
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
 
     def rate(self, value: float) -> float | None:
-        """Return the one-sided derivative of the answer, with relative accuracy `RELATIVE_STEP`; None if there is none."""
+        """Return the one-sided derivative of the answer, to a relative accuracy of `RELATIVE_STEP`; None if none."""
         here, beside = self(value), self(value * (1.0 + RELATIVE_STEP))
         if here is None or beside is None or inf in (here, beside):
             return None
@@ -247,15 +245,6 @@ class AnswerFunction:
         return None if answer is None else answer - value
 
 
-def lengthen_strings(scene: Scene) -> Scene:
-    """Return the scene with the lengths that no text states multiplied, so that every string is long enough."""
-    for parameter in scene.parameters:
-        if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
-            with suppress(SceneError, ValueError):
-                scene = scene.having(parameter.path, STRING_LENGTH_FACTOR * parameter.value)
-    return scene
-
-
 def bisect_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:
     """Yield numbers that approach, by bisection, the limit between a number with an answer and one without."""
     has = [dependence(at) is not None for at in (one, other)]
@@ -307,19 +296,15 @@ class ExtremeSearch:
 
         None if there are several or none, or not all values have an answer.
         """
-        coarse = (
-            [values[n * (len(values) - 1) // (FIRST_PASS_VALUES - 1)] for n in range(FIRST_PASS_VALUES)]
-            if len(values) > FIRST_PASS_VALUES
-            else values
-        )
+        last, few = len(values) - 1, FIRST_PASS_VALUES
+        coarse = [values[n * last // (few - 1)] for n in range(few)] if last >= few else values
         for some in (coarse, sorted({*coarse, *values[::SECOND_PASS_STRIDE]})):
             turn = self._turn(some)
             if turn is None:
                 return None
         low, middle, high, greatest = turn
-        return self.find_extreme_near(
-            _vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest
-        )
+        points = [(at, self._answer(at) or 0.0) for at in (low, middle, high)]
+        return self.find_extreme_near(_vertex(points), greatest=greatest)
 
     def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
         """Return three neighbouring values around the answer's only extreme, and whether it is a maximum; else None."""

@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.questions.dependence import lengthen_strings
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.nested import NestedQuery, usable_answer
 from sim2reason.questions.kinds.threshold import ThresholdQuery
@@ -15,6 +14,7 @@ from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import has_known_continuation, why_never
 from sim2reason.questions.study import TIME_MARGIN, SimulatedScene
+from sim2reason.questions.unknown import lengthen_strings
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import changing
 

@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions.dependence import AnswerFunction, find_roots, lengthen_strings
+from sim2reason.questions.dependence import AnswerFunction, find_roots
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR, SimulatedScene
-from sim2reason.questions.unknown import Unknown, beyond_range, range_of, usual_range, with_number
+from sim2reason.questions.unknown import Unknown, beyond_range, lengthen_strings, range_of, usual_range, with_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import RECORDED

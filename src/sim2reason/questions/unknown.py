@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import ceil, exp, hypot, inf, log
 from typing import NamedTuple, Self, cast
@@ -81,6 +82,7 @@ BODY_NUMBERS = frozenset(
     {"mass", "magnitude of the charge", "radius"}
 )  # what is said of a body that has a name: *the mass of A*
 LENGTHS = frozenset({"m", "au"})
+STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 USUAL_RANGE_FACTOR = 2.0  # factor on the range of drawn values, either way
 NUDGE_FACTOR = 1.0 + 1e-3
 MAX_UNKNOWNS = 3  # numbers tried for one question
@@ -263,3 +265,12 @@ def _with_both_signs(size: float, most: float, about: float) -> Array:
 def _field(scene: Scene, path: str) -> FieldType:
     owner, _, name = path.rpartition(".")
     return field_types(cast("type[Model]", type(scene.value(owner))))[name]
+
+
+def lengthen_strings(scene: Scene) -> Scene:
+    """Return the scene with the lengths that no text states multiplied, so that every string is long enough."""
+    for parameter in scene.parameters:
+        if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
+            with suppress(SceneError, ValueError):
+                scene = scene.having(parameter.path, STRING_LENGTH_FACTOR * parameter.value)
+    return scene

@@ -181,7 +181,8 @@ class FewSymbols(Filter):
         if formula is not None:
             required = minimum_relevant(candidate)
             yield f"{len(formula.within)} symbols of bodies and of the question; {required} must be there"
-            yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {MAX_IDLE_SHARE:.0%} may be"
+            missing = f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing"
+            yield f"{missing}; up to {MAX_IDLE_SHARE:.0%} may be"
 
 
 FILTERS.add("few symbols", FewSymbols())

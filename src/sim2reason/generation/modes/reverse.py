@@ -23,7 +23,7 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.conditions import UniquenessScan, asking_for
-from sim2reason.questions.dependence import RELATIVE_STEP, AnswerFunction, lengthen_strings
+from sim2reason.questions.dependence import RELATIVE_STEP, AnswerFunction
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.moments.reached import Reached
@@ -31,7 +31,7 @@ from sim2reason.questions.phrasing import draw_sentence, sentence
 from sim2reason.questions.query import Target, targets
 from sim2reason.questions.sentences import plainly
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR
-from sim2reason.questions.unknown import Unknown, draw_unknowns, far_from, range_of
+from sim2reason.questions.unknown import Unknown, draw_unknowns, far_from, lengthen_strings, range_of
 
 ANSWER_RTOL = 1e-2  # relative accuracy to which the given result must determine the answer
 RESULT_DIGITS = 3  # significant digits of the given result

@@ -19,8 +19,8 @@ from sim2reason.generation.modes.problem_formula import (
     turns,
 )
 from sim2reason.questions import KINDS, Query, SimulatedScene
-from sim2reason.questions.dependence import lengthen_strings
 from sim2reason.questions.study import EXACT_STEP_ERROR, MIN_VARIANT_FRACTION, TIME_MARGIN
+from sim2reason.questions.unknown import lengthen_strings
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing

@@ -189,7 +189,8 @@ class Moved(DistanceThreshold):
     def told(self, words: Words, said: str) -> str:
         """Return a clause about the distance `said`: *A has moved $d$*, *A is the distance $d$ from its start*."""
         there = self._there(words, f"the distance {said}")
-        return f"{self.subject(words)} {f'is {there}' if self._may_return(words) else f'has {self._motion_participle(words)} {said}'}"
+        predicate = f"is {there}" if self._may_return(words) else f"has {self._motion_participle(words)} {said}"
+        return f"{self.subject(words)} {predicate}"
 
     def _motion_participle(self, words: Words) -> str:
         """Return the participle for the motion: *risen* for a body that goes straight up, else *moved*."""

@@ -182,8 +182,8 @@ CLAUSES: Mapping[str, Reader] = {
     "(?:collision|impact) (?:of|between) {s} and {t}": read.read_pair_collision,
     "[{s} ]~[PASSES ][its |{t} 's ]TOP[ of [its ]PATH][ FIRST_TIME]": read.turned_back("highest point", "up"),
     "[{s} ]~[PASSES ][its |{t} 's ]BOTTOM[ of [its ]PATH][ FIRST_TIME]": read.turned_back("lowest point", "down"),
-    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": read.subject_moment_reader(
-        "lowest point"
+    "[{s} ]~(?:passes through|passing through|pass through|MOTION to|MOTION down to) vertical": (
+        read.subject_moment_reader("lowest point")
     ),
     "{s} ~(?:vertical|hangs vertically|hangs straight down|hanging vertically)": read.subject_moment_reader(
         "lowest point"

@@ -135,8 +135,8 @@ MAIN_CLAUSE_FRAMES: Mapping[str, Reader] = {
     "what angle {s} makes (?P<side>with|above|below) horizontal": read.read_velocity_angle,
     "what angle {s} is deflected through": subject_reader("angle of deflection"),
     "how much (?P<fuel>left|burnt) fuel[ {s}]": read.fuel,
-    "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": only_subject_reader(
-        "friction force"
+    "(?:ASK|what) [SIZE ]friction[ force| force that] ~[acts |act |acting |exists ]between {s}[ and {t}]": (
+        only_subject_reader("friction force")
     ),
     "(?:at |from |to )?what (?:height|altitude)[ above SURFACE][ ~[{s}]]": read.read_height,
     "how much (?:energy|elastic energy|elastic potential energy) ~{s} (?:store|contain|hold|have)": subject_reader(

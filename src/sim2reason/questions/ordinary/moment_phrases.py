@@ -217,10 +217,8 @@ def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
         if words.mentions.get(body.name) == said and body.mass == 0.0 and not any(body.inertia)
     }
     turning = {name for name in arms if any(c.kind == "hinge" for c in mechanism.body[name].coordinates)}
-    carriers_by_body = {
-        name: {carrier.name for carrier in ancestor_chain(mechanism, name)[1:]} for name in all_of(find, words)
-    }
-    return tuple(name for name, carriers in carriers_by_body.items() if carriers & turning)
+    carriers = {name: {body.name for body in ancestor_chain(mechanism, name)[1:]} for name in all_of(find, words)}
+    return tuple(name for name, above in carriers.items() if above & turning)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:

@@ -184,19 +184,16 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
         yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjectives}) {_PARTS} of (?:the )?{strings}\b"
     if not line.phrase.startswith("the part of"):
         return
-    tilts = {each.name: _tilt(each, words) for each in lines}
-    for adjective, tilt in _DIRECTION_COMPONENTS.items():
-        alone = [
-            name for name, line_tilt in tilts.items() if line_tilt is not None and abs(line_tilt - tilt) < VERTICAL_TOL
-        ]
+    tilts = {each.name: tilt for each in lines if (tilt := _tilt(each, words)) is not None}
+    for adjective, component in _DIRECTION_COMPONENTS.items():
+        alone = [name for name, tilt in tilts.items() if abs(tilt - component) < VERTICAL_TOL]
         if alone == [line.name]:
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjective}) {_PARTS} of (?:the )?{strings}\b"
     for end in line.ends:
         if end and "pulley" not in end and [e for each in lines for e in each.ends].count(end) == 1:
-            beside = (
-                rf"(?:on (?:the side of )?|beside |next to |above |near |at |towards ){_end_pattern(end)}(?:'s side)?"
-            )
-            yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_PARTS} of (?:the )?{strings} {beside}(?! [A-Z]\b)"
+            beside = r"(?:on (?:the side of )?|beside |next to |above |near |at |towards )"
+            place = f"{beside}{_end_pattern(end)}(?:'s side)?"
+            yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_PARTS} of (?:the )?{strings} {place}(?! [A-Z]\b)"
 
 
 def _tilt(line: NamedLine, words: Words) -> float | None:
@@ -218,7 +215,8 @@ def _end_pattern(phrase: str, lone: frozenset[str] = frozenset()) -> str:
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
         alone = f"|{noun}(?! {letter})" if noun in lone else ""
-        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{noun_alternatives(noun, *GENERIC_NOUNS)})(?:e?s)? )?{letter}{alone})"
+        nouns = noun_alternatives(noun, *GENERIC_NOUNS)
+        return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:(?:{nouns})(?:e?s)? )?{letter}{alone})"
     return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"
 
 

@@ -80,7 +80,8 @@ def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
     late = LATE_TIME_PATTERN.match(when)
     moment = relaxed_again(when[late.end() :] if late else when, words)
     moment = _component(velocities_equal(moment, words), words)
-    return f"{late[0] if late else ''}{extreme_spring_moment(_resolve_collision(_collided(moment, words, events), words), words)}"
+    moment = _resolve_collision(_collided(moment, words, events), words)
+    return f"{late[0] if late else ''}{extreme_spring_moment(moment, words)}"
 
 
 def _subjects(question: StructuredQuestion, words: Words) -> tuple[str, ...]:

@@ -81,10 +81,10 @@ _SEVERAL = re.compile(rf"\b{ALL_WORD} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-
 class Reading:
     """A structured question that a sentence may mean, the side of its moment, and its presumptions.
 
-    The presumptions are the ways that bodies have `gone` until the moment and are `present_directions` at the moment. A `steady`
-    reading names no moment: it asks for a value that does not change. A reading of a higher `rank` counts only where
-    the scene has none of a lower rank. Where a number of the scene decides an outcome, the reading asks for the `least`
-    or the greatest number for which the outcome `happens`, or does not.
+    The presumptions are the ways that bodies have `gone` until the moment and are `present_directions` at the moment.
+    A `steady` reading names no moment: it asks for a value that does not change. A reading of a higher `rank` counts
+    only where the scene has none of a lower rank. Where a number of the scene decides an outcome, the reading asks for
+    the `least` or the greatest number for which the outcome `happens`, or does not.
     """
 
     asked: StructuredQuestion

@@ -176,8 +176,8 @@ STRETCHES: Mapping[str, Reader] = {
     "(?:ASK|what) GREATEST (?:distance|displacement) of {s} from HOME": subject_reader(
         "greatest displacement", needs=STRETCH
     ),
-    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": subject_reader(
-        "greatest displacement", needs=STRETCH
+    "(?:ASK|what) GREATEST distance [that ]~{s} ~(?:get|gets|move|moves|go|goes|reach|reaches) from HOME": (
+        subject_reader("greatest displacement", needs=STRETCH)
     ),
     "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
     "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
@@ -189,7 +189,9 @@ STRETCHES: Mapping[str, Reader] = {
     "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": (
         readers.read_friction_heat
     ),
-    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": readers.read_friction_heat,
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": (
+        readers.read_friction_heat
+    ),
     "ASK HEAT LOST[ by friction| to friction| through friction]": readers.read_friction_heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": only_subject_reader("work of a hand", needs=STRETCH),
     "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": readers.read_hand_work,
@@ -231,11 +233,11 @@ STRETCHES: Mapping[str, Reader] = {
     "how much ~{s} compressed at most": readers.extreme_strain_reader("greatest compression"),
     "how much ~{s} (?:stretched|extended) at most": readers.extreme_strain_reader("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _only_pair_reader("least distance"),
-    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": subject_reader(
-        "greatest deflection", needs=STRETCH
+    "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": (
+        subject_reader("greatest deflection", needs=STRETCH)
     ),
-    "(?:ASK|what) LEAST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": subject_reader(
-        "least deflection", needs=STRETCH
+    "(?:ASK|what) LEAST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": (
+        subject_reader("least deflection", needs=STRETCH)
     ),
     "how long ~(?:one|a|one full|one complete|full) ROUND take": _period("period"),
     "how many times ~{s} BOUNCES": subject_reader("number of bounces", needs=STRETCH),

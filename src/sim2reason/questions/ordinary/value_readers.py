@@ -58,14 +58,11 @@ def quantity(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main
     name = matching_entry(QUANTITIES, groups["q"])
     axis = matching_entry(DIRECTION_WORDS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
     along = axis if axis in AXES else ""
-    if (
-        name in ADDITIVE_QUANTITIES
-        and re.search(r"\b(?:total|combined)\b", match[0])
-        and len(token_subjects(sentence, groups.get("s"))) > 1
-    ):
-        yield Main(name, PLUS.join(token_subjects(sentence, groups.get("s"))))
+    subjects = token_subjects(sentence, groups.get("s"))
+    if name in ADDITIVE_QUANTITIES and re.search(r"\b(?:total|combined)\b", match[0]) and len(subjects) > 1:
+        yield Main(name, PLUS.join(subjects))
         return
-    for of in token_subjects(sentence, groups.get("s")):
+    for of in subjects:
         if name == "force" and re.search(rf"\b{GROUNDS} (?:exert|act)", match[0]) is not None:
             yield Main("normal force", of, ways=((of, f"{ON}{FIXED_FACE}"), (of, SMOOTH)))
         if name == "force" and re.search(r"\b(?:on|acts?|acting|exerted) ", match[0]) is not None:
@@ -199,10 +196,8 @@ def read_approach_speed(match: re.Match[str], sentence: TokenizedSentence) -> It
 
 def far_off(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the displacement of a body, presuming that it is above its start, or below it."""
-    yield from (
-        Main("displacement", of, needs=STRETCH, ways=((of, match["side"]),))
-        for of in token_subjects(sentence, match["s"])
-    )
+    for of in token_subjects(sentence, match["s"]):
+        yield Main("displacement", of, needs=STRETCH, ways=((of, match["side"]),))
 
 
 def far_vertically(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
@@ -231,9 +226,8 @@ def read_duration(match: re.Match[str], sentence: TokenizedSentence) -> Iterator
 
 def accelerates(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the acceleration of a body that speeds up."""
-    yield from (
-        Main("acceleration", of, ways=read_directions(match, of)) for of in token_subjects(sentence, match["s"])
-    )
+    for of in token_subjects(sentence, match["s"]):
+        yield Main("acceleration", of, ways=read_directions(match, of))
 
 
 def read_normal_force(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:

@@ -227,9 +227,8 @@ class Fields:
             factor = (ONE + self.drag * self.running_time).latex()
             turns = "" if self.turning is None else ", and the magnetic force only rotates the velocity"
             step.add_text("The drag is proportional to the square of the speed, so the reciprocal of the speed grows")
-            step.add_text(
-                f"uniformly with time: at the time ${self.running_time.latex()}$ the speed is that at the start, divided by"
-            )
+            time = self.running_time.latex()
+            step.add_text(f"uniformly with time: at the time ${time}$ the speed is that at the start, divided by")
             step.add_text(f"${factor}${turns}.")
             step.label(LAW)
             step.close()

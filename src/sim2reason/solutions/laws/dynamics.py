@@ -287,13 +287,10 @@ class Dynamics:
             holding = [group for group in groups if name in self.sum_laws(group).zero.names()]
             if len(holding) != 2:
                 continue
-            one, other = holding
-            if (
-                self._moves_alike(one[0].number, other[0].number)
-                and name not in self.sum_laws([*one, *other]).zero.names()
-            ):
-                groups[groups.index(one)] = sorted(one + other, key=lambda row: row.number)
-                groups.remove(other)
+            a, b = holding
+            if self._moves_alike(a[0].number, b[0].number) and name not in self.sum_laws([*a, *b]).zero.names():
+                groups[groups.index(a)] = sorted(a + b, key=lambda row: row.number)
+                groups.remove(b)
         return groups
 
     def _moves_alike(self, one: int, other: int) -> bool:
@@ -328,12 +325,8 @@ class Dynamics:
 
     def sufficient_coordinates(self, coordinates: Sequence[int]) -> list[int]:
         """Return the coordinates without those of carriers whose motion another coordinate already includes."""
-        spared = {
-            j
-            for k in coordinates
-            if k in self.carrier_coordinates
-            for j in self._below(self.mechanism.coordinates[k].body)
-        }
+        carriers = [k for k in coordinates if k in self.carrier_coordinates]
+        spared = {j for k in carriers for j in self._below(self.mechanism.coordinates[k].body)}
         return [k for k in coordinates if k not in spared]
 
 

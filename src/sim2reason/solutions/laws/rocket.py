@@ -112,9 +112,8 @@ class Burning(StraightMotion):
         step = self.book.begin_step("verify")
         record_inequality(self.book, step, time, longest)
         equation = self._observed(step, r"\text{max}", longest)
-        step.add_text(
-            f"If {self.name} rose from the start, ${self.initial_mass.latex()}$ would be at most ${self.lift_off_mass.latex()}$,"
-        )
+        full, lift = self.initial_mass.latex(), self.lift_off_mass.latex()
+        step.add_text(f"If {self.name} rose from the start, ${full}$ would be at most ${lift}$,")
         step.add_text(
             f"and {self.name} would come to rest at the latest after {equation}, which is before the given time."
         )
@@ -127,10 +126,8 @@ class Burning(StraightMotion):
     @cached_property
     def _wait(self) -> Symbol:
         """Return the time until lift-off."""
-        text, formula = (
-            f"The mass of {self.name} has fallen to this value after",
-            self.initial_mass - self.lift_off_mass,
-        )
+        text = f"The mass of {self.name} has fallen to this value after"
+        formula = self.initial_mass - self.lift_off_mass
         name = self.book.fresh("t", r"\text{lift}")
         return self.book.add_step("wait", text, name, formula / self.rate_of_burning, SECONDS)
 
@@ -139,10 +136,8 @@ class Burning(StraightMotion):
         """Return the duration of the ascent with the engine on."""
         if not self.waits_on_ground:
             return self.burned
-        text, formula = (
-            "From lift-off on, the fuel lasts for",
-            (self.lift_off_mass - self.dry_mass) / self.rate_of_burning,
-        )
+        formula = (self.lift_off_mass - self.dry_mass) / self.rate_of_burning
+        text = "From lift-off on, the fuel lasts for"
         return self.book.add_step("time", text, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
@@ -172,27 +167,22 @@ class Burning(StraightMotion):
     @property
     def _velocity(self) -> Expression:
         """Return the velocity as a function of the time since lift-off."""
-        velocity_gain = self.exhaust * Call(
-            "ln", ratio(self.lift_off_mass, self.lift_off_mass - self.rate_of_burning * self.time_since_lift_off)
-        )
+        exhaust, full = self.exhaust, self.lift_off_mass
+        velocity_gain = exhaust * Call("ln", ratio(full, full - self.rate_of_burning * self.time_since_lift_off))
         return velocity_gain - self.gravity.expression() * self.time_since_lift_off if self.gravity else velocity_gain
 
     def integrated(self, left: Expression, risen: Expression) -> str:
         """Return words that integrate the velocity over time, with the mass as the variable of integration."""
-        time, name, full, rate = (
-            self.time_since_lift_off.latex(),
-            self.book.fresh("x"),
-            self.lift_off_mass,
-            self.rate_of_burning,
-        )
-        x, speed, fallen = name.latex(), self._velocity.latex(), ""
+        since, name = self.time_since_lift_off, self.book.fresh("x")
+        full, rate = self.lift_off_mass, self.rate_of_burning
+        x, time, speed, fallen = name.latex(), since.latex(), self._velocity.latex(), ""
         if self.gravity:
             fallen = f" - {(HALF * self.gravity.expression() * Power(risen, 2)).latex()}"
             speed = rf"\left({speed}\right)"
         log = Call("ln", ratio(full, name))
         masses = rf"\int_{{{left.latex()}}}^{{{full.latex()}}} {log.latex()}\,\mathrm{{d}}{x}"
         return (
-            rf"With ${x}$ for ${(full - rate * self.time_since_lift_off).latex()}$, and so $-\mathrm{{d}}{x}/{rate.latex()}$ for "
+            rf"With ${x}$ for ${(full - rate * since).latex()}$, and so $-\mathrm{{d}}{x}/{rate.latex()}$ for "
             rf"$\mathrm{{d}}{time}$, its integral $\int_0^{{{risen.latex()}}} {speed}\,\mathrm{{d}}{time}$ becomes "
             rf"${ratio(self.exhaust, rate).latex()} {masses}{fallen}$; the antiderivative of ${log.latex()}$ is "
             rf"${(name * log + name).latex()}$."
@@ -229,11 +219,9 @@ class Burning(StraightMotion):
         names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
         pairs = [*zip(names, (thrust, weight), strict=True)]
         self.book.observed |= {name.name: self.book.value(force) for name, force in pairs}
-        equations = [step.verified(name, force, NEWTONS) for name, force in pairs]
+        one, two = (step.verified(name, force, NEWTONS) for name, force in pairs)
         record_inequality(self.book, step, thrust, weight)
-        step.add_text(
-            f"{self.capitalized_name} rises from the start, since the thrust {equations[0]} exceeds the weight {equations[1]}."
-        )
+        step.add_text(f"{self.capitalized_name} rises from the start, since the thrust {one} exceeds the weight {two}.")
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
@@ -304,23 +292,14 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
     if book.value(velocity) > 0.0:
         _exclude_falling(rocket, velocity, risen)
         return
-    log, burning = (
-        Call("ln", ratio(rocket.lift_off_mass, rocket.dry_mass)),
-        (rocket.lift_off_mass - rocket.dry_mass) / rocket.rate_of_burning,
-    )
-    height = (
-        u * log * risen
-        - u * (rocket.lift_off_mass / rocket.rate_of_burning) * log
-        + u * burning
-        - HALF * g * Power(risen, 2)
-    )
+    full, dry, rate = rocket.lift_off_mass, rocket.dry_mass, rocket.rate_of_burning
+    log, burning = Call("ln", ratio(full, dry)), (full - dry) / rate
+    height = u * log * risen - u * (full / rate) * log + u * burning - HALF * g * Power(risen, 2)
     step, name = book.begin_step("verify"), book.fresh("h")
     record_inequality(book, step, height, ZERO)
     equation = step.verified(name, height, METRES)
-    step.add_text(
-        f"{rocket.capitalized_name} is falling then, but it is still in the air: by integration of its velocity, its height is"
-    )
-    step.add_text(f"{equation}.")
+    text = f"{rocket.capitalized_name} is falling then, but it is still in the air: by integration of its velocity,"
+    step.add_text(f"{text} its height is", f"{equation}.")
     step.close()
 
 

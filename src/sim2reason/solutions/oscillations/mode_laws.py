@@ -273,11 +273,8 @@ class ModeLaws:
     def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
         """Return both sides of Newton's law of a mode along one free coordinate: stiffness and inertia."""
         square = Polynomial.from_expression(mode.square) if mode.square != ZERO else NIL
-        parts = [
-            (self.entry(i, j), Polynomial.from_expression(part if part != ONE else 1.0))
-            for j, part in enumerate(mode.shape)
-        ]
-        return total(stiff * a for (stiff, _), a in parts), total(square * mass * a for (_, mass), a in parts)
+        row = [(self.entry(i, j), Polynomial.from_expression(a if a != ONE else 1.0)) for j, a in enumerate(mode.shape)]
+        return total(stiff * a for (stiff, _), a in row), total(square * mass * a for (_, mass), a in row)
 
     def _root(self, mode: Mode, powers: Sequence[Polynomial], formula: Expression | None) -> None:
         assert isinstance(mode.square, Symbol)
@@ -315,9 +312,7 @@ class ModeLaws:
 
     def _repeats(self, mode: Mode) -> bool:
         """Return whether the text of an earlier mode already contains the characteristic equation."""
-        return (
-            any(self.zeros <= number < mode.number for number in self.shown_modes) and mode.number in self.shown_modes
-        )
+        return mode.number in self.shown_modes and any(self.zeros <= n < mode.number for n in self.shown_modes)
 
     def _mark(self, i: int, mode: Mode) -> str:
         """Return the subscript of a component of a mode shape: the mode, after the body if there are several."""

@@ -61,7 +61,10 @@ class ConstantAcceleration(Strategy):
 
 
 class _Staged(StraightMotion):
-    """A motion in stages of constant acceleration; `redundant_coordinates` has, by stage, coordinates whose acceleration is unused."""
+    """A motion in stages of constant acceleration.
+
+    For each stage, `redundant_coordinates` has the coordinates whose acceleration is unused.
+    """
 
     redundant_coordinates: Sequence[AbstractSet[int]] = ()
 

@@ -154,7 +154,8 @@ class _Burning(Burning):
         rest = distance - high
         self.write_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
-            text = f"{self.capitalized_name} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
+            far, speed = distance.latex(), fast.latex()
+            text = f"{self.capitalized_name} covers the rest of the distance ${far}$ at the speed ${speed}$, in"
             return self.book.add_step("time", text, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)

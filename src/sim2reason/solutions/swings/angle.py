@@ -44,9 +44,10 @@ FormulaMethod = tuple[str, str]  # the method that gives a formula, and what is 
 class SwingAngle(ABC):
     """A swing's angle from the downward vertical, positive on its initial side, written as needed.
 
-    Subclasses set `initial_angle`, the angle at the start, `initial_angle_value`, its value, `moment_angle` and `turning`, the angle at the moment
-    and its rate, `turned`, the angle turned through, and `initial_rate_sign`, the initial sign of the rate. Values only determine
-    signs. `METHOD_BY_QUANTITY` maps each quantity to its formula and words.
+    Subclasses set `initial_angle`, the angle at the start, `initial_angle_value`, its value, `moment_angle` and
+    `turning`, the angle at the moment and its rate, `turned`, the angle turned through, and `initial_rate_sign`, the
+    initial sign of the rate. Values only determine signs. `METHOD_BY_QUANTITY` maps each quantity to its formula and
+    words.
     """
 
     initial_angle: Expression

@@ -169,9 +169,8 @@ class CarriageAngle(SwingAngle):
         )
         step.add_text("on the side on which it begins.")
         if self.initial_angle_value < 0.5 * pi and not self.book.in_symbols:
-            step.add_text(
-                f"It rises no higher than at the start, so $|{name.name}| \\le {self.initial_angle.latex()} < 90^\\circ$."
-            )
+            start = self.initial_angle.latex()
+            step.add_text(f"It rises no higher than at the start, so $|{name.name}| \\le {start} < 90^\\circ$.")
         text = "No external force acts along the rail, so the common centre of mass does not move along it:"
         step.add_text(f"{text} {law}, so {step.result(name, formula, DEGREES)}.")
         self._far = far

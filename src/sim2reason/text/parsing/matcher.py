@@ -278,9 +278,8 @@ class Matcher:
                 continue
             for member, letter in zip(members, letters, strict=True):
                 then = then.introduced(member, kind, letter)
-            for end, named in self._match_literal(
-                text, at, join_body_names(state.nouns[kind], letters, full=True) + " ", then
-            ):
+            names = join_body_names(state.nouns[kind], letters, full=True)
+            for end, named in self._match_literal(text, at, f"{names} ", then):
                 for after, described in self._match_body_slot(text, end, slots(kind.alike), members[0], named):
                     shared = described.shared(members, kind.stated_parameters(kind.alike))
                     if shared is not None:

@@ -68,12 +68,7 @@ def _factor(multiple: str, sentence: TokenizedSentence) -> float:
 
 RESULT_RTOL = 1e-6  # relative: largest difference from the stated result
 TRIAL_VALUES = 6  # values of a number tried to see whether a question has an answer
-SUBJECT_NUMBERS = (
-    "mass",
-    "speed",
-    "angular speed",
-    "charge",
-)  # numbers of the subject, if the sentence does not name an owner
+SUBJECT_NUMBERS = "mass", "speed", "angular speed", "charge"  # the subject's, if the sentence does not name an owner
 MAX_READINGS = 4  # readings of a result for which numbers are sought
 _FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 

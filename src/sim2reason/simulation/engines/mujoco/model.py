@@ -25,9 +25,7 @@ from sim2reason.simulation.engines.mujoco.forces import (
 from sim2reason.simulation.engines.mujoco.specification import SUBSTITUTE_MASS, Specification, mujoco
 from sim2reason.simulation.trace import OPERATIONS, Budget
 
-MIN_INERTIA_RATIO = (
-    1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
-)
+MIN_INERTIA_RATIO = 1e-6  # of the least to the largest; below it, accelerations without constraints are too large
 OVERLAP, COINCIDENCE_DISTANCE = 1e-8, 1e-10  # m; limits at the start; the exact engine refuses whatever exceeds these
 ZERO_DERIVATIVE_TOL = 1e-9  # largest derivative of the separation of two points that do not move apart
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
@@ -61,8 +59,7 @@ class CompiledModel:
         self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
         self._pulls = Pulls(self._drawn)
         self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
-        self.slips = self._slips()
-        self._light = [burn.body for burn in mechanism.burns]
+        self.slips, self._light = self._slips(), [burn.body for burn in mechanism.burns]
         self.begin()
 
     def _slips(self) -> Array:

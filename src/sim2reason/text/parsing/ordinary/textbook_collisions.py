@@ -122,7 +122,10 @@ TEXTBOOK_SCENES.add(
             *(rf"{HITS} {SECOND} {body}" for body in STATIONARY),
             rf"and {SECOND} <m2:mass> {NOUN} {MOVING} (?P<toward>(?:to the )?left) {SPEED_PREFIX}<v2:speed>",
             rf"<m1:mass> {NOUN} {MOVING} (?:(?:to the )?right )?{SPEED_PREFIX}<v1:speed>(?: to the right)?",
-            rf"{NOUN} of (?:mass )?<m1:mass> {MOVING} (?:(?:to the )?right )?{SPEED_PREFIX}<v1:speed>(?: to the right)?",
+            (
+                rf"{NOUN} of (?:mass )?<m1:mass> {MOVING} (?:(?:to the )?right )?{SPEED_PREFIX}<v1:speed>"
+                r"(?: to the right)?"
+            ),
             (
                 rf"(?:(?:{NOUN}s|they|bodies) )?(?:are )?(?:initially |at first )?<gap:length>"
                 r" (?:apart|away|ahead|in front of it)"
