@@ -209,11 +209,8 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         ranked.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern}|['’]s )"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()
-        alone = _others(noun, phrase, heads) if unique else set[str]()
-        ranked += [
-            (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)")
-            for name in alone - GENERIC_NOUNS
-        ]
+        alone = _others(noun, phrase, heads) - GENERIC_NOUNS if unique else set[str]()
+        ranked += [(len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone]
     ranked.append((2, EVERYTHING, rf"(?<=\bof )(?:the )?(?:(?:whole|entire|complete) )?{_WHOLE}\b"))
     ranked.append((2, EVERYTHING, rf"\b(?:[Tt]he )?(?:(?:whole|entire|complete) )?{_WHOLE}(?='s\b| have\b| possess\b)"))
     for wording, plural in _plurals(nouns, words):

@@ -112,25 +112,22 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACE_PATTERN.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest)))
-    if (
-        set(re.sub(S, " ", rest).split()) - _LOOSE
-        or len(ways) > ("{way}" in row.plain_clause)
-        or len(subjects) > row.subjects
-    ):
+    plain = row.plain_clause
+    if set(re.sub(S, " ", rest).split()) - _LOOSE or len(ways) > ("{way}" in plain) or len(subjects) > row.subjects:
         return
-    if (row.subjects == 2 and not subjects) or (row.plain_clause == ALL_COLLISIONS and subjects):
+    if (row.subjects == 2 and not subjects) or (plain == ALL_COLLISIONS and subjects):
         return
-    force = row.plain_clause.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
+    force = plain.startswith(("what force does", "what force acts", "what force of string")) or groups.get(
         "quantity"
     ) in ("force", "pull")
     if force and _ON_GROUND.search(text) is not None:
         return
-    if "impulse does {s}" in row.plain_clause and re.search(GROUNDS, text) is not None:
+    if "impulse does {s}" in plain and re.search(GROUNDS, text) is not None:
         return  # exchanged with that
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"
     one, other = (*subjects, "", "")[:2]
-    clause = row.plain_clause.format(
+    clause = plain.format(
         s=one,
         t=other,
         way=f" {ways[0]}" if ways else "",
@@ -139,7 +136,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         axis=groups.get("axis", ""),
         quantity=groups.get("quantity", ""),
         toward=groups.get("toward", "").strip("<>"),
-        side=_side(row.plain_clause, groups.get("side", "")),
+        side=_side(plain, groups.get("side", "")),
         line=groups.get("line", ""),
         speed="angular speed" if verb == "turn" else "speed",
     )

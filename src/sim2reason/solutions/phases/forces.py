@@ -146,7 +146,7 @@ IMPACT_VELOCITY_RTOL = 1e-8  # relative tolerance of the velocities after an imp
 VELOCITY_CHANGE_RTOL = 1e-9  # relative: a velocity that changes by less at an event is continuous
 
 
-class VelocityJump:
+class ImpulseEquations:
     """The relations between the velocities just before and just after an event."""
 
     def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
@@ -219,7 +219,7 @@ def write_jump(
     if all(abs(a - b) <= VELOCITY_CHANGE_RTOL * largest for a, b in zip(old, new, strict=True)):
         return None
     after = tuple(_fresh(book, rate, value) for rate, value in zip(names.rates, new, strict=True))
-    jump = VelocityJump(before, after, events)
+    jump = ImpulseEquations(before, after, events)
     rows = [row for row in range(len(segment.kinds)) if _taut(segment, following, row)]
     impulses = [book.fresh("P", str(number + 1)) for _ in (*jump.pairs, *rows)]
     relations = jump.relations(rows, impulses)
@@ -237,7 +237,7 @@ def write_jump(
     return after
 
 
-def _describe_jump(jump: VelocityJump, impulses: Sequence[Symbol]) -> str:
+def _describe_jump(jump: ImpulseEquations, impulses: Sequence[Symbol]) -> str:
     names = join_words([f"${impulse.name}$" for impulse in impulses])
     whose = f"impulse{'s' if len(impulses) > 1 else ''} {names}"
     if jump.pairs:

@@ -169,13 +169,11 @@ def _by_result(
             question = pose_question(wanted, motion, words)
         except TextError:
             continue
-        unknown = question.unknown
-        if unknown is None or not _ever(question, motion):
+        if (unknown := question.unknown) is None or not _ever(question, motion):
             continue
         every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
-        values = _select_extreme(
-            frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion)
-        )
+        told = every if frame.compare != VALUE else told_values(every, path, frame, motion)
+        values = _select_extreme(frame.end, told)
         variant = condition._replace(stated=stated)
         leading = [value for value in values if _leads(value, path, question_sentence, variant, motion, words, reader)]
         leading = _with_taut_strings(leading, question, path, motion)
