@@ -1,13 +1,18 @@
 """Mutation check: the share of random faults in the code that the tests find.
 
-    python benchmarks/mutants.py 100 SEED [WORKERS]
+    python benchmarks/mutants.py 100 SEED [--workers N] [--log FILE]
 
 Each mutant changes one operator, constant or condition of the exact engine, the questions, the filters or the grader in
-a copy of the source, and the tests beside the changed module run against it, then those of its package, then a digest
-of an item of each recipe. A mutant is killed if a test fails or takes `LIMIT` seconds. Survivors are printed with their
-line, since some of them change nothing that a user could notice.
+a copy of the source, and the tests beside the changed module run against it, then a digest of an item of each recipe,
+then the tests of its package, and, after all mutants, the other tests that make items. A mutant is killed if a test
+fails or a run takes longer than `LIMITS`; the first failed test is printed. Survivors are printed with their line,
+since some of them change nothing that a user could notice.
+
+Mutants of the exact engine run without its native core, which replaces much of it, and survivors run against the
+comparison of both, too. With --log, outcomes are added to a file, and a run that was stopped goes on from there.
 """
 
+import argparse
 import ast
 import os
 import random
@@ -20,8 +25,9 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, islice
 from pathlib import Path
+from queue import Queue
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "sim2reason"
@@ -33,7 +39,11 @@ AREAS = {
 }
 """The packages that are changed, each with the tests of its package."""
 DIGESTS = "tests/acceptance/test_same_items.py"
-LIMIT = 600.0  # s of one run of the tests
+COMPARISON = "tests/simulation/engines/exact/test_native.py"
+OTHERS = ("tests/solutions", "tests/generation", "tests/acceptance", "tests/datasets/test_scene_questions.py")
+"""The tests that the survivors of others run against."""
+LIMITS = {False: 900.0, True: 3600.0}  # s of one run of tests, and of one of the `OTHERS`
+PASSED, SURVIVED = "passes its own tests", "survived"
 OPERATORS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}
 WORDS = {"and": "or", "or": "and"}
 
@@ -53,10 +63,29 @@ class Mutant:
         """Return the number of the changed line."""
         return self.text.count("\n", 0, self.start) + 1
 
+    @property
+    def changed(self) -> str:
+        """Return the text of the changed module."""
+        return self.text[: self.start] + self.new + self.text[self.end :]
+
+    def compiles(self) -> bool:
+        """Return whether the changed module is Python; in f-strings, positions of expressions may be wrong."""
+        try:
+            ast.parse(self.changed)
+        except SyntaxError:
+            return False
+        return True
+
+    @property
+    def area(self) -> str:
+        """Return the area of the module."""
+        return next(area for area in AREAS if self.path.is_relative_to(SOURCE / area))
+
     def __str__(self) -> str:
         """Return the place of the change, the changed line, and what replaces what."""
         shown = self.text.splitlines()[self.line - 1].strip()
-        place = f"{self.path.relative_to(SOURCE)}:{self.line}"
+        column = self.start - self.text.rfind("\n", 0, self.start)
+        place = f"{self.path.relative_to(SOURCE)}:{self.line}:{column}"
         return f"{place}: {self.text[self.start : self.end]!r} -> {self.new!r} in: {shown}"
 
 
@@ -70,14 +99,20 @@ def mutants(path: Path) -> Iterator[Mutant]:
         """Return the index of a position, whose column counts bytes."""
         return starts[line - 1] + len(lines[line - 1].encode()[:column].decode())
 
+    def span(node: ast.expr) -> tuple[int, int]:
+        """Return the indices between which an expression is written."""
+        assert node.end_lineno is not None
+        assert node.end_col_offset is not None
+        return at(node.lineno, node.col_offset), at(node.end_lineno, node.end_col_offset)
+
     for function in (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)):
         for statement in function.body:
             for node in ast.walk(statement):
-                for start, end, new in _changes(node, text, at):
+                for start, end, new in _changes(node, text, span):
                     yield Mutant(path, start, end, new, text)
 
 
-def _changes(node: ast.AST, text: str, at: Callable[[int, int], int]) -> Iterator[tuple[int, int, str]]:
+def _changes(node: ast.AST, text: str, span: Callable[[ast.expr], tuple[int, int]]) -> Iterator[tuple[int, int, str]]:
     """Yield the spans of a node that may be replaced, with what replaces them."""
     if isinstance(node, ast.BinOp):
         pairs, table = [(node.left, node.right)], OPERATORS
@@ -88,76 +123,135 @@ def _changes(node: ast.AST, text: str, at: Callable[[int, int], int]) -> Iterato
     else:
         pairs, table = [], {}
     for left, right in pairs:
-        low, high = at(left.end_lineno, left.end_col_offset), at(right.lineno, right.col_offset)
-        found = re.search(r"<=|>=|==|!=|\band\b|\bor\b|[-+*/<>]", text[low:high])
+        low, high = span(left)[1], span(right)[0]
+        found = re.search(r"\*\*|//|<<|>>|<=|>=|==|!=|\band\b|\bor\b|[-+*/<>]", text[low:high])
         if found and found[0] in table and "#" not in text[low:high]:
             yield low + found.start(), low + found.end(), table[found[0]]
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        low, high = at(node.lineno, node.col_offset), at(node.end_lineno, node.end_col_offset)
-        yield low, high, repr(node.value + 1 if isinstance(node.value, int) else node.value * 1.5 + (not node.value))
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
+        changed = node.value + 1 if isinstance(node.value, int) else node.value * 1.5 + (not node.value)
+        yield *span(node), repr(changed)
     if isinstance(node, ast.If | ast.IfExp):
-        test = node.test
-        low, high = at(test.lineno, test.col_offset), at(test.end_lineno, test.end_col_offset)
+        low, high = span(node.test)
         yield low, high, f"(not ({text[low:high]}))"
 
 
 def drawn(number: int, seed: int) -> list[Mutant]:
     """Draw mutants, as many of each area."""
-    rng, found = random.Random(seed), []
+    rng, found = random.Random(seed), list[Mutant]()
     for area in AREAS:
-        every = [each for path in sorted((SOURCE / area).rglob("*.py")) for each in mutants(path)]
-        found += rng.sample(every, -(-number // len(AREAS)))
+        modules = sorted((SOURCE / area).rglob("*.py"))
+        every = list(dict.fromkeys(each for path in modules for each in mutants(path)))  # nested functions come twice
+        rng.shuffle(every)
+        found += islice((mutant for mutant in every if mutant.compiles()), -(-number // len(AREAS)))
     rng.shuffle(found)
     return found[:number]
 
 
-def outcome(mutant: Mutant) -> str:
-    """Return how a mutant ended: killed by which tests, or survived."""
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / "src" / "sim2reason"
-        shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns("__pycache__"))
-        changed = mutant.text[: mutant.start] + mutant.new + mutant.text[mutant.end :]
-        (copy / mutant.path.relative_to(SOURCE)).write_text(changed, "utf-8")
-        environment = {**os.environ, "PYTHONPATH": f"{folder}/src", "OMP_NUM_THREADS": "1"}
-        for tests in _tests(mutant):
-            command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
-            try:
-                done = subprocess.run(
-                    command, cwd=ROOT, env=environment, capture_output=True, timeout=LIMIT, check=False
-                )
-            except subprocess.TimeoutExpired:
-                return "killed by the time limit"
-            if done.returncode not in (0, 5):
-                return f"killed by {' '.join(tests)}"
-    return "survived"
+class Copies:
+    """Copies of the source, one for each worker, whose bytecode is kept between runs."""
+
+    def __init__(self, folder: Path, number: int) -> None:
+        """Copy the source."""
+        self._free: Queue[Path] = Queue()
+        for index in range(number):
+            source = folder / str(index) / "src" / SOURCE.name
+            shutil.copytree(SOURCE, source, ignore=shutil.ignore_patterns("__pycache__"))
+            self._free.put(source)
+
+    def outcome(self, mutant: Mutant, known: str | None) -> str:
+        """Return what follows a known outcome: killed by which test, passed by its own tests, or survived all."""
+        runs = _runs(mutant) if known is None else [(OTHERS, _switch(mutant))] if known == PASSED else []
+        if not runs:
+            return str(known)
+        source = self._free.get()
+        changed = source / mutant.path.relative_to(SOURCE)
+        try:
+            changed.write_text(mutant.changed, "utf-8")
+            found = (_failure(source, tests, switch) for tests, switch in runs)
+            passed = SURVIVED if known else PASSED
+            return next((f"killed by {failure}" for failure in found if failure), passed)
+        finally:
+            shutil.copy2(mutant.path, changed)
+            self._free.put(source)
 
 
-def _tests(mutant: Mutant) -> Iterator[tuple[str, ...]]:
-    """Yield the tests of a mutant: of its module, of its package, and digests of items."""
-    inner = mutant.path.relative_to(SOURCE)
+def _failure(source: Path, tests: tuple[str, ...], switch: str) -> str:
+    """Return the first test that fails with a copy of the source, or why a run of tests ended; empty if all pass."""
+    environment = {**os.environ, "PYTHONPATH": str(source.parent), "OMP_NUM_THREADS": "1", "SIM2REASON_NATIVE": switch}
+    environment["PYTHONPYCACHEPREFIX"] = str(source.parents[1] / "bytecode")
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
+    limit = LIMITS[tests == OTHERS]
+    try:
+        done = subprocess.run(
+            command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=limit, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return f"the time limit of {' '.join(tests)}"
+    if done.returncode in (0, 5):
+        return ""
+    named = re.search(r"^(?:FAILED|ERROR) (tests/\S+)", done.stdout, re.MULTILINE)
+    return named[1] if named else f"the start of {' '.join(tests)}"
+
+
+def _runs(mutant: Mutant) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Yield the runs of a mutant's own tests, cheap ones first, each with the switch of the native core."""
+    inner, switch = mutant.path.relative_to(SOURCE), _switch(mutant)
     beside = ROOT / "tests" / inner.parent / f"test_{inner.stem}.py"
     if beside.exists():
-        yield (str(beside.relative_to(ROOT)),)
-    if not str(inner).startswith("grading"):
-        yield (DIGESTS,)
-    yield next(tests for area, tests in AREAS.items() if str(inner).startswith(area))
+        yield (str(beside.relative_to(ROOT)),), switch
+    if mutant.area != "grading":
+        yield (DIGESTS,), switch
+    yield AREAS[mutant.area], switch
+    if switch == "0":
+        yield (COMPARISON,), "1"
+
+
+def _switch(mutant: Mutant) -> str:
+    """Return the switch of the native core, which is off where it would replace the mutant."""
+    exact = mutant.area == "simulation/engines/exact"
+    return "0" if exact and not mutant.path.stem.startswith("native") else "1"
+
+
+def recorded(log: Path | None) -> dict[str, str]:
+    """Return the outcomes in a log, by mutant."""
+    lines = log.read_text("utf-8").splitlines() if log is not None and log.exists() else []
+    return {mutant: found for found, _, mutant in (line.partition("\t") for line in lines)}
+
+
+def _report(line: str, log: Path | None) -> None:
+    """Print a line, and add it to a log."""
+    print(line, flush=True)
+    if log is not None:
+        with log.open("a", encoding="utf-8") as file:
+            file.write(f"{line}\n")
 
 
 def main() -> None:
-    """Print each survivor, and how many of each area are killed."""
-    number, seed = int(sys.argv[1]), int(sys.argv[2])
-    counts: Counter[tuple[str, bool]] = Counter()
-    chosen = drawn(number, seed)
-    with ThreadPoolExecutor(int(sys.argv[3]) if len(sys.argv) > 3 else os.cpu_count()) as pool:
-        for mutant, found in zip(chosen, pool.map(outcome, chosen), strict=True):
-            area = next(area for area in AREAS if str(mutant.path.relative_to(SOURCE)).startswith(area))
-            counts[area, found == "survived"] += 1
-            print(f"{found}: {mutant}", flush=True)
+    """Print the outcome of each mutant, and how many of each area are killed."""
+    options = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    options.add_argument("number", type=int, help="how many mutants")
+    options.add_argument("seed", type=int)
+    options.add_argument("--workers", type=int, default=os.cpu_count(), help="runs of tests at a time (default: CPUs)")
+    options.add_argument("--log", type=Path, help="a file to which outcomes are added; those in it are not run again")
+    given = options.parse_args()
+    known, chosen = recorded(given.log), drawn(given.number, given.seed)
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(given.workers) as pool:
+        copies = Copies(Path(folder), given.workers)
+
+        def outcome(mutant: Mutant) -> tuple[Mutant, str]:
+            return mutant, copies.outcome(mutant, known.get(str(mutant)))
+
+        for _ in ("its own tests", "the others"):
+            for mutant, found in pool.map(outcome, chosen):
+                if known.get(str(mutant)) != found:
+                    _report(f"{found}\t{mutant}", given.log)
+                    known[str(mutant)] = found
+    counts = Counter((mutant.area, known[str(mutant)] == SURVIVED) for mutant in chosen)
     for area in AREAS:
         killed, survived = counts[area, False], counts[area, True]
         print(f"{area}: {killed} of {killed + survived} killed")
-    killed = sum(count for (_, survived), count in counts.items() if not survived)
-    print(f"{killed} of {number} killed")
+    print(f"{sum(count for (_, survived), count in counts.items() if not survived)} of {given.number} killed")
 
 
 if __name__ == "__main__":

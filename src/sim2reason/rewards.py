@@ -16,7 +16,7 @@ from sim2reason.datasets.exports.columns import Letter, answered, boxed, ground_
 from sim2reason.datasets.grade import row_answer
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, grade_answer
-from sim2reason.grading import Score, choice, prepend_opening_mark
+from sim2reason.grading import Score, choice, opened
 
 __all__ = [
     "Letter",
@@ -49,7 +49,7 @@ def score(ground_truth: str, response: object, *, partial: bool = False, thinkin
 
 
 def _scored(right: Answer | Letter, response: object, *, partial: bool, thinking_opened: bool) -> Score:
-    said = prepend_opening_mark(response) if thinking_opened else response
+    said = opened(response) if thinking_opened else response
     if isinstance(right, Letter):
         return choice(said, right.letter, right.letters)
     return grade_answer(right, said, partial=partial)

@@ -38,6 +38,6 @@ def test_no_module_starts_processes_in_another_way() -> None:
         for node in ast.walk(tree):
             if isinstance(node, ast.Call):
                 called = ast.unparse(node.func)
-                assert called.split(".")[-1] not in others or called.startswith("ALONE."), f"{path}: {called}"
+                assert called.split(".")[-1] not in others or called.startswith("SPAWN_CONTEXT."), f"{path}: {called}"
                 if called.endswith("ProcessPoolExecutor"):
-                    assert "mp_context=ALONE" in ast.unparse(node), path
+                    assert "mp_context=SPAWN_CONTEXT" in ast.unparse(node), path

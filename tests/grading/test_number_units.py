@@ -70,3 +70,17 @@ def test_it_is_never_ignored(left: str) -> None:
 )
 def test_what_is_the_asked_unit_or_none_changes_nothing(left: str, unit: str) -> None:
     assert boxed(f"{left}9.8", 9.8, unit) == Outcome.CORRECT
+
+
+def test_only_a_single_number_is_followed_by_smaller_units() -> None:
+    """6 h 5 min are 21900 s; of a product, it is unclear what the minutes are added to."""
+    assert boxed(r"6\text{ h }5\text{ min}", 21900, "s") == Outcome.CORRECT
+    assert boxed(r"-6\text{ h }5\text{ min}", -21900, "s") == Outcome.CORRECT
+    assert boxed(r"2 \cdot 3\text{ h }5\text{ min}", 21900, "s") != Outcome.CORRECT
+    assert boxed(r"12/2\text{ h }5\text{ min}", 21900, "s") != Outcome.CORRECT
+
+
+def test_what_overflows_on_the_way_has_no_value() -> None:
+    """1/(2 · 10³⁰⁸) is a number, but not one that is computed with floats; nor is it taken for zero."""
+    assert boxed("1/(10^{307} + 10^{307})", 0.0, None) != Outcome.UNREADABLE
+    assert boxed("1 + 1/(10^{308} + 10^{308})", 1.0, None) == Outcome.WRONG

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.grading import Outcome, number, prepend_opening_mark
+from sim2reason.grading import Outcome, number, opened
 
 MARKS = [
     ("<think>", "</think>"),
@@ -66,9 +66,9 @@ def test_thinking_that_is_open_at_the_end_has_no_answer(response: str) -> None:
 
 
 def test_thinking_may_have_been_opened_in_the_prompt() -> None:
-    assert number(prepend_opening_mark(r"We try \boxed{9.6}, but"), 9.6).outcome is Outcome.NO_ANSWER
-    assert number(prepend_opening_mark(r"We try.</think>\boxed{9.6}"), 9.6).outcome is Outcome.CORRECT
-    assert number(prepend_opening_mark(r"<think>We try.</think>\boxed{9.6}"), 9.6).outcome is Outcome.CORRECT
+    assert number(opened(r"We try \boxed{9.6}, but"), 9.6).outcome is Outcome.NO_ANSWER
+    assert number(opened(r"We try.</think>\boxed{9.6}"), 9.6).outcome is Outcome.CORRECT
+    assert number(opened(r"<think>We try.</think>\boxed{9.6}"), 9.6).outcome is Outcome.CORRECT
 
 
 def test_a_flood_of_marks_takes_no_time_and_earns_nothing() -> None:

@@ -56,6 +56,9 @@ def test_what_rubs_and_did_not_begin_at_rest_may_stop() -> None:
     """A block decelerates up a slope at g (sin θ + μ cos θ), and accelerates down at g (sin θ − μ cos θ)."""
     assert is_constant(Target("net force", BLOCK), study(ramp(friction=0.2)).trace)
     assert not is_constant(Target("net force", BLOCK), study(ramp(friction=0.2, speed=2.0)).trace)
+    before = SimulatedScene.of(ramp(angle=10.0, friction=0.2, speed=2.0), np.linspace(0.0, 0.3, 7))
+    assert before.trace.events == ()
+    assert not is_constant(Target("net force", BLOCK), before.trace), "0.55 s after the start it stops for good"
 
 
 @pytest.mark.parametrize(("scene", "moment"), [(atwood(), AllAlong), (arm(), AtStart)])

@@ -1,6 +1,6 @@
 """Tests of the number at which an answer has a given value, even for a weak dependence."""
 
-from math import exp, log
+from math import exp, inf, log
 
 import numpy as np
 import pytest
@@ -8,6 +8,7 @@ import pytest
 from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.kinds.stretches import StretchQuery
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.distances import Farthest
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.study import EXACT_STEP_ERROR
@@ -58,6 +59,27 @@ def test_what_has_come_down_lies_there(time: float, height: float | None) -> Non
     else:
         assert found == pytest.approx(2.0 * top, rel=1e-5)
         assert top == pytest.approx(height, rel=1e-3)
+
+
+TRACK = """
+scene:
+  entities:
+  - name: t
+    type: ComplexCollisionPlane
+    parameters:
+      track: {}
+      gliders: [{kind: glider, mass: 1.0, x: 0.0, v: 2.0}, {kind: glider, mass: 2.0, x: 0.8, v: 0.0}]
+      restitution: 0.5
+"""
+
+
+def test_an_event_comes_though_it_did_not_at_a_value_nearby() -> None:
+    """A cart at v reaches another 0.8 m ahead after 0.8 m/v; for one at 1 mm/s no motion is followed so long."""
+    scene = loads(TRACK)
+    study = SimulatedScene.of(scene, np.array([0.0, scene.horizon]))
+    query = Query("time_to_event", None, Collided("t.gliders.0 & t.gliders.1"))
+    answer = AnswerFunction(query, study, "t.gliders.0.v")
+    assert [answer(0.001), answer(0.5)] == [inf, pytest.approx(1.6)]
 
 
 PLANETS = """

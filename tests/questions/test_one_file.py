@@ -97,7 +97,7 @@ def _speed(state, body):
 KIND = '''
 import numpy as np
 
-from sim2reason.questions.choices import pick
+from sim2reason.questions.choices import draw_target
 from sim2reason.questions.kinds import Kind, kind
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Query
@@ -111,7 +111,7 @@ class GreatestKind(Kind):
 
     def draw(self, study, words, targets, rng):
         """Any magnitude."""
-        target, found = pick([t for t in targets if not t.signed], rng), AtTime.found(study, words, rng)
+        target, found = draw_target([t for t in targets if not t.signed], rng), AtTime.found(study, words, rng)
         return Query(self.name, target, found[0]) if target and found else None
 
     def answer(self, query, study):

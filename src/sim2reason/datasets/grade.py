@@ -13,7 +13,7 @@ from sim2reason.datasets.dataset import Dataset, quote_id
 from sim2reason.datasets.plan import ALL_NAMES, Names
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, Item, grade_answer, unfolded
-from sim2reason.grading import Outcome, Score, prepend_opening_mark
+from sim2reason.grading import Outcome, Score, opened
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_all", "line", "responses"]
 
@@ -146,7 +146,7 @@ def grade(
         (0.0, 'wrong')
     """
     answer = item.answer if isinstance(item, Item) else row_answer(item)
-    reply = prepend_opening_mark(response) if thinking_opened else response
+    reply = opened(response) if thinking_opened else response
     return grade_answer(answer, reply, lenient=lenient, partial=partial)
 
 

@@ -17,7 +17,7 @@ __all__ = [
     "boxed",
     "closed_boxes",
     "fault_of_box",
-    "prepend_opening_mark",
+    "opened",
     "remove_thinking",
     "response_string",
     "response_text",
@@ -217,7 +217,7 @@ def response_string(given: object) -> str:
     raise Refused(Outcome.NO_ANSWER, f"a response is text, not {type(given).__name__}")
 
 
-def prepend_opening_mark(given: object) -> object:
+def opened(given: object) -> object:
     """Prepend the opening mark <think>, which the prompt already contained, to a response."""
     try:
         text = response_string(given)

@@ -10,16 +10,19 @@ from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.filters.products import find_product
 from sim2reason.generation.filters.sums import find_sum
 from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.prompt import parse_prompt
+from sim2reason.scenes.bodies.blocks import Glider
 from sim2reason.scenes.bodies.round_bodies import Pipe, Sphere
-from sim2reason.scenes.bodies.simple_machines import Incline
+from sim2reason.scenes.bodies.simple_machines import Incline, Track
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.rolling import NoSlipping, Rolling, RollingEntity
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 
 BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
 
@@ -51,13 +54,13 @@ def reason(scene: Scene, moment: Moment, target: Target | None) -> str:
 @pytest.mark.parametrize("angle", [30.0, 37.0, 45.0])
 def test_on_a_smooth_slope_one_line_is_enough(moment: Moment, quantity: str | None, angle: float) -> None:
     target = Target(quantity, BLOCK) if quantity else None
-    assert "product" in reason(ramp(angle=angle), moment, target)
+    assert "is a product" in reason(ramp(angle=angle), moment, target)
 
 
 def test_two_forces_are_more() -> None:
     """The acceleration g (sin θ − μ cos θ) is no product."""
     assert reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("velocity", BLOCK)) == ""
-    assert "product" in reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("friction force", BLOCK)), (
+    assert "is a product" in reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("friction force", BLOCK)), (
         "μ m g cos θ"
     )
 
@@ -77,13 +80,13 @@ def test_two_laws_are_more_whatever_comes_out() -> None:
     """Friction on a rolling pipe is ½ m g sin θ, on a sphere 2/7 m g sin θ; N = m g cos θ of both takes one law."""
     for body in (Pipe(mass=2.0, radius=0.1), Sphere(mass=2.0, radius=0.1)):
         assert reason(rolls(body), AtTime(0.5), Target("friction force", "lane.body")) == ""
-        assert "product" in reason(rolls(body), AtTime(0.5), Target("normal force", "lane.body"))
+        assert "is a product" in reason(rolls(body), AtTime(0.5), Target("normal force", "lane.body"))
 
 
 def test_what_is_read_off_a_definition_is_one_line() -> None:
     """L = m R v of a rolling pipe, at the start, is a product."""
     scene = rolls(Pipe(mass=2.0, radius=0.1), Rolling(way="down the slope", speed=1.5))
-    assert "product" in reason(scene, AtStart(), Target("angular momentum", "lane.body"))
+    assert "is a product" in reason(scene, AtStart(), Target("angular momentum", "lane.body"))
 
 
 def test_a_special_angle_makes_no_product() -> None:
@@ -139,3 +142,14 @@ def test_a_fall_with_a_start_is_one_line() -> None:
     energy = Target("kinetic energy", BLOCK)
     assert "a sum of two products" in reason(ramp(angle=37.0, speed=3.0), Moved(BLOCK, 0.5), energy)
     assert reason(ramp(angle=37.0, speed=3.0, friction=0.2), Moved(BLOCK, 0.5), energy) == ""
+
+
+def test_a_difference_of_like_numbers_counts_as_one() -> None:
+    """A cart from x₁ hits one at rest at x₂ after (x₂ − x₁)/v; if that one moves, too, there are two differences."""
+    for other, found in ((0.0, "the answer is a product of"), (0.5, "")):
+        carts = (Glider(mass=1.0, x=0.3, v=2.0), Glider(mass=2.0, x=1.1, v=other))
+        track = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=0.5)
+        hit = candidate(Scene(entities=(Named(name="t", entity=track),)), Collided("t.gliders.0 & t.gliders.1"), None)
+        assert hit.question.answer == pytest.approx((1.1 - 0.3) / (2.0 - other))
+        assert find_product(hit).startswith(found)
+        assert bool(find_product(hit)) == bool(found)

@@ -43,6 +43,13 @@ def questions() -> list[Asked]:
 
 
 @cache
+def refused() -> list[Asked]:
+    """The questions that are not understood yet."""
+    rows = (json.loads(line) for line in (DATA / "ordinary_refused.jsonl").read_text("utf-8").splitlines())
+    return [Asked(row["scene"], row["question"]) for row in rows]
+
+
+@cache
 def traps() -> list[Asked]:
     """Return questions that resemble others, but ask for something else, or for nothing."""
     rows = (json.loads(line) for line in (DATA / "ordinary_traps.jsonl").read_text("utf-8").splitlines())
@@ -78,9 +85,14 @@ GROUPS = 8  # in each of which the scenes, their questions and traps are looked 
 
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_nothing_is_misread_and_most_questions_are_understood(group: int) -> None:
-    """At least four of five questions are understood, all correctly, and variations in a word are not misread."""
+    """At least four of five questions are understood, all correctly, and variations in a word are not misread.
+
+    Only questions in `ordinary_refused.jsonl` are refused; those that are understood by now may be removed from it.
+    """
     names = set(SCENES[group::GROUPS])
-    found = Counter(outcome(asked) for asked in questions() if asked.scene in names)
+    outcomes = {(asked.scene, asked.question): outcome(asked) for asked in questions() if asked.scene in names}
+    found, known = Counter(outcomes.values()), {(asked.scene, asked.question) for asked in refused()}
+    assert [asked for asked, told in outcomes.items() if told == "refused" and asked not in known] == []
     assert [told for told in found if told.startswith("wrong")] == []
     assert [asked.question for asked in traps() if asked.scene in names and outcome(asked) != "refused"] == []
     assert found["right"] >= ENOUGH * found.total() > 0, found

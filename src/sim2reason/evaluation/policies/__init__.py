@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
 from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import PolicyError
-from sim2reason.grading import prepend_opening_mark
+from sim2reason.grading import opened
 
 __all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "build_policy"]
 
@@ -85,7 +85,7 @@ class Completion(BaseModel):
     def whole(self) -> str:
         """Return the response for a grader: the thinking in its tags, then the text."""
         if not self.thinking:
-            return str(prepend_opening_mark(self.text)) if self.thinking_opened else self.text
+            return str(opened(self.text)) if self.thinking_opened else self.text
         return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
 
 

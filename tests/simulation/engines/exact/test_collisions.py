@@ -318,3 +318,18 @@ def test_a_resting_block_is_struck_into_motion(agree: Callable[..., None]) -> No
     v = 1.5 * 3.0 / 3.0
     agree(found.segments[1].v, [v, 3.0 - 2.0 * v], v)
     agree(found.segments[2].q[0], v**2 / (2.0 * mu * G))
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("wall", [1.0, 0.0, -1.0])
+def test_a_wall_throws_back_wherever_it_is(wall: float, side: float, agree: Callable[..., None]) -> None:
+    """From 0.5 m, at 2 m/s, a cart is at the wall after 0.25 s, and 0.5 e = 0.3 m from it after as long again."""
+    builder = Builder()
+    room = builder.room()
+    cart = room.body("A", 1.5, at=(wall + 0.5 * side, 0.0, 0.0)).slide(X, -2.0 * side)
+    room.bump(room, cart, (side, 0.0, 0.0), side * wall, 0.6)
+    found = motion(builder.finish(), 0.5)
+    assert kinds(found.events) == ["collision"]
+    agree(found.events[0].time, 0.25)
+    agree(found.segments[-1].v, [1.2 * side])
+    assert simulate(builder.finish(), np.array([0.5])).state.q[0, 0] == pytest.approx(-0.2 * side)

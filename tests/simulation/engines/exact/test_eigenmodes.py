@@ -11,6 +11,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.files import loads
+from sim2reason.simulation.engines.exact.eigenmodes import Modes, turning_times
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.scenes import simulate, simulate_full_duration
 from sim2reason.simulation.trace import Trace
@@ -218,3 +219,25 @@ def test_at_critical_damping_a_stiff_motion_is_refused_in_words() -> None:
     critical = 2.0 * sqrt(STIFF * LIGHT)
     with pytest.raises(SimulationError, match="simulate a shorter time"):
         simulate(scene("SpringMassChain", DAMPED.format(repr(critical))), 100.0)
+
+
+def test_modes_that_begin_later_are_the_same_motion_later() -> None:
+    """x = 0.2 m + 0.3 m sin(ω t) and y = 0.1 m + 0.5 m/s t − 1 m/s² t² from an instant on, with ω = 7/s."""
+    begin, rate = 2.5, 7.0
+    modes = Modes(
+        begin,
+        np.array([0.2, 0.1]),
+        np.eye(2),
+        np.array([rate**2, 0.0]),
+        np.array([0.0, -2.0]),
+        np.array([0.3 * rate, 0.5]),
+    )
+    since = np.linspace(0.0, 3.0, 31)
+    swing, none = np.array([0.3 * np.sin(rate * since), 0.3 * rate * np.cos(rate * since)]), np.zeros_like(since)
+    wanted = [0.2 + swing[0], 0.1 + 0.5 * since - since**2, swing[1], 0.5 - 2.0 * since]
+    assert modes.at(begin + since) == pytest.approx(np.transpose(wanted), abs=1e-12)
+    accelerations = np.transpose([-(rate**2) * swing[0], none - 2.0])
+    assert modes.accelerations(begin + since) == pytest.approx(accelerations, abs=1e-11)
+    turns = turning_times(modes, 1.0)
+    assert [number for _, number in turns] == [0, 1, 0]
+    assert [time - begin for time, _ in turns] == pytest.approx([0.5 * np.pi / rate, 0.25, 1.5 * np.pi / rate])

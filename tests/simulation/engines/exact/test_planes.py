@@ -1,7 +1,7 @@
 """Tests of inclines and movable wedges, smooth and rough, against Newton's second law."""
 
 from collections.abc import Callable
-from math import cos, radians, sin, sqrt, tan
+from math import cos, hypot, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -206,3 +206,32 @@ def test_time_to_slide_down(agree: Callable[..., None]) -> None:
     assert (event.kind, event.subjects, trace.cut) == ("limit", ("A.slide",), "limit")
     agree(event.time, sqrt(2.0 * length / (G * (sin(theta) - 0.1 * cos(theta)))))
     assert trace.stable_until == event.time
+
+
+def test_a_string_that_turns_lifts_the_block_it_hauls(agree: Callable[..., None]) -> None:
+    """A load M hauls a block over a rough floor by a string of length s to a pulley, h above the block, at the angle φ.
+
+    s̈ = −a cos φ + v² sin² φ/s, M g − T = −M s̈ and m a = T cos φ − µ (m g − T sin φ). The work of gravity less the
+    kinetic energy is what friction takes: ∫ µ N v dt.
+    """
+    m, load, mu, h, d = 2.0, 3.0, 0.3, 1.0, 3.0
+    builder = Builder()
+    room = builder.room()
+    room.site("pulley", at=(d, 0.0, h))
+    room.body("A", m).rest(X, Z, mu).site("A.hook")
+    room.body("B", load, at=(d, 0.0, -5.0)).slide(Z).site("B.hook")
+    room.string("s", "A.hook", "pulley", "B.hook")
+    trace = simulate(builder.finish(), np.linspace(0.0, 0.8, 801))
+    assert trace.events == ()
+    state, (x, v) = trace.state, (trace.state.q[:, 0], trace.state.v[:, 0])
+    s = np.hypot(d - x, h)
+    cosine, sine = (d - x) / s, h / s
+    lifted, curved = cosine + mu * sine, load * (G + (v * sine) ** 2 / s)
+    a = (curved * lifted - mu * m * G) / (m + load * cosine * lifted)
+    agree(state.a[:, 0], a)
+    agree(state.tension["s"], curved - load * cosine * a)
+    agree(state.normal["A"], m * G - state.tension["s"] * sine)
+    kinetic = (m * v**2 + load * state.v[:, 1] ** 2) / 2.0
+    power = mu * state.normal["A"] * v
+    lost = float(np.sum(power[:-2:2] + 4.0 * power[1:-1:2] + power[2::2])) * 1e-3 / 3.0  # Simpson's rule
+    agree(kinetic[-1], load * G * (hypot(d, h) - s[-1]) - lost)

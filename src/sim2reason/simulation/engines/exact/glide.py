@@ -9,7 +9,7 @@ from math import hypot, inf, sqrt
 import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible
-from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, relative, subtract_triples
+from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, outer, relative, subtract_triples
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.lengths import SwitchState
@@ -88,9 +88,10 @@ class Approach:
         return _first_root(self._polynomial(), 2 if resting else int(self.touching))
 
     def _is_straight(self) -> bool:
-        r = hypot(*self.apart)
+        """Return whether both vectors point along the line of centres."""
+        r = hypot(*self.apart)  # cross products are accurate where differences of squares are round-off
         return all(
-            inner(w, w) - (inner(self.apart, w) / r) ** 2 <= ROUND_OFF_TOL**2 * (1.0 + inner(w, w))
+            hypot(*outer(self.apart, w)) <= ROUND_OFF_TOL * r * (1.0 + hypot(*w))
             for w in (self.velocity, self.acceleration)
         )
 
