@@ -136,7 +136,7 @@ class EvaluationResult:
 
     def __repr__(self) -> str:
         """Return the folder and the number of results."""
-        return f"<Evaluated {str(self.folder.path)!r}: {format_count(len(self.report.results), 'result')}>"
+        return f"<EvaluationResult {str(self.folder.path)!r}: {format_count(len(self.report.results), 'result')}>"
 
     def __str__(self) -> str:
         """Return a line with the accuracy for each policy on each benchmark."""
