@@ -40,7 +40,8 @@ AREAS = {
 """The packages that are changed, each with the tests of its package."""
 DIGESTS = "tests/acceptance/test_same_items.py"
 COMPARISON = "tests/simulation/engines/exact/test_native.py"
-OTHERS = ("tests/solutions", "tests/generation", "tests/acceptance", "tests/datasets/test_scene_questions.py")
+SCENE_QUESTIONS = "tests/datasets/test_scene_questions.py"
+OTHERS = ("tests/solutions", "tests/generation", "tests/acceptance", "tests/text", SCENE_QUESTIONS)
 """The tests that the survivors of others run against."""
 LIMITS = {False: 900.0, True: 3600.0}  # s of one run of tests, and of one of the `OTHERS`
 PASSED, SURVIVED = "passes its own tests", "survived"

@@ -39,6 +39,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import certify
+from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.quantities.subjects.bodies import WHOLE_SCENE
 from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
 from sim2reason.text.prose.description import describe
@@ -492,6 +493,23 @@ def test_a_collision_may_follow_as_long_as_anything_approaches() -> None:
     study = SimulatedScene.of(squeezed(9.0), np.linspace(0.0, 2.0, 41))
     assert LastCollision().time(study.trace) is None
     assert LastCollision().time(SimulatedScene.of(table(), np.linspace(0.0, 2.0, 41)).trace) == pytest.approx(0.4)
+
+
+def test_what_moves_at_a_constant_velocity_may_be_sent_back_by_a_spring() -> None:
+    """Two carts of 1 kg, 0.5 m apart, swap their velocities; a spring that pushes returns the second at 1 m/s.
+
+    It is at the spring after 0.5 s + 1 s, and leaves it after half a period, π √(m/k); 1 s later they collide again.
+    """
+    builder = Builder(gravity=ZERO)
+    room = builder.room()
+    room.site("wall", at=(2.0, 0.0, 0.0))
+    one, other = room.body("A", 1.0).slide(X, 1.0), room.body("B", 1.0, at=(0.5, 0.0, 0.0)).slide(X).site("B.end")
+    room.bump(one, other, X, 0.0, 1.0)
+    room.buffer("spring", "wall", "B.end", 50.0, 0.5)
+    before, after = (simulate(builder.finish(), np.linspace(0.0, end, 41)) for end in (0.9, 5.0))
+    assert LastCollision().time(before) is None
+    hits = [event.time for event in after.events if event.kind == "collision"]
+    assert hits == pytest.approx([0.5, 2.5 + pi * sqrt(1.0 / 50.0)])
 
 
 def test_symbols_name_those_who_collide_last_where_several_may() -> None:

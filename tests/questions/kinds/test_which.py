@@ -76,6 +76,18 @@ def test_which_is_the_first_and_how_much_earlier(pair: str) -> None:
     assert read.answer == pytest.approx(abs(times[0] - times[1]), rel=1e-6)
 
 
+def test_only_values_of_one_quantity_are_compared() -> None:
+    """Of blocks of 3 kg and 2 kg with a common speed, kinetic energies may be compared, not one with a momentum."""
+    study = simulate_scene(atwood()).study
+    words = words_of(describe(atwood()))
+    asked = "Which of block A and block B has the greater kinetic energy at the time t = 0.5 s, and by what factor?"
+    pairs = list(KINDS["which_greater"].parsed(asked, study, words, targets(words)))
+    both = [pair.both for pair in pairs if isinstance(pair, WhichQuery)]
+    quantities = [{each.target.quantity for each in pair if each.target is not None} for pair in both]
+    assert {"kinetic energy"} in quantities
+    assert all(len(each) == 1 for each in quantities)
+
+
 def test_only_options_ask_for_one_of_two() -> None:
     asking = {name for name, mode in MODES.items() if not mode.kinds.isdisjoint(NAMES)}
     assert asking == {"choice"}

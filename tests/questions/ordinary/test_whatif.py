@@ -1,6 +1,7 @@
 """Tests of questions in ordinary English about a changed scene, or for a number that causes an outcome."""
 
 from functools import cache
+from math import cos, radians, sin
 from pathlib import Path
 from time import perf_counter
 
@@ -108,6 +109,11 @@ def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
     [
         ("hung_load", "What coefficient of friction would halve the acceleration of the blocks?", 0.5795023570),
         ("hung_load", "How much heavier would B have to be for the acceleration to be doubled?", 2.8119180877),
+        (
+            "hung_load",  # T = m_A g with a = g (1 − m_A/m_B): µ = (m_A/m_B − sin θ)/cos θ
+            "What would the coefficient of friction have to be for the tension in the string to be A's weight?",
+            (2.2 / 3.0 - sin(radians(36.0))) / cos(radians(36.0)),
+        ),
         (
             "trolley_at_wall",
             "What speed must the blow give the trolley to compress the spring by at most 0.40 m?",

@@ -14,6 +14,7 @@ G = 9.8
 
 @pytest.mark.parametrize("seed", range(40))
 def test_trying_all_modes_finds_the_same_motion(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The forces are the same, too, and those that the motion leaves open (NaN) are the same ones."""
     mechanism = rough(seed).finish()
     searched = motion(mechanism, 0.5)
     monkeypatch.setattr(contact_modes, "FLIPS", 0)
@@ -21,6 +22,9 @@ def test_trying_all_modes_finds_the_same_motion(seed: int, monkeypatch: pytest.M
     assert [event.kind for event in tried.events] == [event.kind for event in searched.events]
     times = np.linspace(0.0, searched.end, 5)
     assert tried.state(times).q == pytest.approx(searched.state(times).q, abs=1e-9)
+    for one, other in zip(tried.segments, searched.segments, strict=True):
+        assert one.tension == pytest.approx(other.tension, rel=1e-6, abs=1e-6, nan_ok=True)
+        assert one.friction == pytest.approx(other.friction, rel=1e-6, abs=1e-6, nan_ok=True)
 
 
 def test_no_consistent_mode_is_an_error_not_a_guess(monkeypatch: pytest.MonkeyPatch) -> None:
