@@ -3,8 +3,7 @@
 from typing import Annotated
 
 import sim2reason
-from sim2reason.authoring import End, Entity, Force, Frame, Profile, Push, Range, X, either, entity, scale
-from sim2reason.scenes.bodies.blocks import Cart
+from sim2reason.authoring import Cart, End, Entity, Force, Frame, Profile, Push, Range, X, either, entity, scale
 from sim2reason.testing import check_entity
 
 

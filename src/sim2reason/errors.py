@@ -12,6 +12,7 @@
     ├── TrainingError       a configuration, corpus or folder of a training run that cannot be used
     ├── UnknownNameError    a name that a registry does not hold
     ├── MissingExtraError   an optional package that a command needs
+    ├── EntryPointError     an installed package that extends the library and cannot be imported
     └── ConformanceError    an entity class that does not keep what the library promises of entities
 
 Two warnings, which are no errors: a `FigureWarning` says that a figure can only hint at something, a
@@ -110,7 +111,12 @@ class MissingExtraError(Sim2ReasonError):
 
     def __init__(self, package: str, extra: str = "") -> None:
         """Name the missing `package` and the `extra` that brings it, if one does."""
-        super().__init__(f"{package} is not installed; install it with: {installing(package, extra)}")
+        remedy = f", or in a clone: pip install '.[{extra}]'" if extra else ""
+        super().__init__(f"{package} is not installed; install it with: {installing(package, extra)}{remedy}")
+
+
+class EntryPointError(Sim2ReasonError):
+    """An entry point of an installed package that cannot be imported; the message names the package and the cause."""
 
 
 def installing(package: str, extra: str = "") -> str:

@@ -73,8 +73,8 @@ def test_stored_rows_come_once_in_each_lap_and_in_another_order_each_time(descri
     [
         ("itmes: 3\n", "items: is missing"),
         (f"{DRAWN}recipes: pulley\n", "recipes: no such setting"),
-        ("items: 0\n", "items: Input should be greater than or equal to 1"),
-        (f"{DRAWN}share: 0\n", "share: Input should be greater than 0"),
+        ("items: 0\n", "items: must be at least 1"),
+        (f"{DRAWN}share: 0\n", "share: must be greater than 0"),
         (f"{DRAWN}split: {{train: 0.5}}\n", "split: the shares add up to 0.5; give all of them"),
         (f"{DRAWN}take: test\n", "there is no split 'test'"),
         (f"{DRAWN}decontaminate: [missing.jsonl]\n", "missing.jsonl"),

@@ -5,12 +5,12 @@ from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, Va
 from dataclasses import fields, is_dataclass
 from difflib import SequenceMatcher, get_close_matches
 from importlib import import_module
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from pkgutil import iter_modules, walk_packages
 from typing import Any, Generic, NamedTuple, TypeVar
 
-from sim2reason.errors import UnknownNameError
+from sim2reason.errors import EntryPointError, UnknownNameError
 
 MAX_NAME_LENGTH = 80  # characters of a name; similar names of longer ones are not searched
 SIMILARITY_CUTOFF = 0.85  # similarity, relative to that of the most similar name, from which others are suggested too
@@ -69,11 +69,19 @@ class Registry(Mapping[str, T], Generic[T]):
         if self._filled:
             return
         self._filled = True  # before the imports: they may look a sibling up
+        try:
+            self._import_members()
+        except BaseException:
+            self._filled = False  # the next use reports the failure again, instead of working without some members
+            raise
+
+    def _import_members(self) -> None:
+        """Import the modules of the package and those of the entry points."""
         package = import_module(self.package)
         for module in sorted(module_info.name for module_info in iter_modules(package.__path__)):
             import_module(f"{package.__name__}.{module}")
         for point in entry_points(group=f"sim2reason.{self.kind}"):
-            point.load()
+            _load(point)
 
     def __getitem__(self, name: str) -> T:
         """Return the member with a name; UnknownNameError, with similar names, if there is none."""
@@ -141,6 +149,22 @@ def similar_names(name: str, names: Iterable[str], most: int = 3) -> list[str]:
     """Return the names most similar to `name`, the best first, at most `most` of them."""
     matches = get_close_matches(name, names, n=most) if len(name) <= MAX_NAME_LENGTH else []
     return [other for other in matches if _likeness(name, other) >= SIMILARITY_CUTOFF * _likeness(name, matches[0])]
+
+
+def _load(point: EntryPoint) -> None:
+    """Import the module of an entry point; EntryPointError, with its distribution, if that fails."""
+    try:
+        point.load()
+    except EntryPointError:
+        raise  # another registry's, which names its own entry point
+    except Exception as error:
+        package = "?" if point.dist is None else point.dist.name
+        cause = " ".join(f"{type(error).__name__}: {error}".split())
+        message = (
+            f"the entry point {point.name!r} ({point.value}) in the group {point.group} cannot be imported: {cause}; "
+            f"fix the package {package} that declares it, or uninstall it: pip uninstall {package}"
+        )
+        raise EntryPointError(message) from error
 
 
 def _likeness(name: str, other: str) -> float:

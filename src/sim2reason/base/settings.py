@@ -1,15 +1,15 @@
 """Settings from a YAML file: strict parsing, with errors that do not repeat secrets."""
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Final, TypeVar, cast
+from typing import Any, Final, TypeVar, cast, get_args
 
 from pydantic import BaseModel, ValidationError
 from yaml import AliasEvent, MappingNode, MarkedYAMLError, Node, SafeLoader, ScalarNode, YAMLError, load
 
-from sim2reason.base.registry import Registry
+from sim2reason.base.registry import Registry, similar_names
 from sim2reason.base.yaml_text import NUMBER, TRUTH
-from sim2reason.errors import EvaluationError, Sim2ReasonError
+from sim2reason.errors import EvaluationError, Sim2ReasonError, UnknownNameError
 
 __all__ = ["build_each", "build_member", "configuration", "first_fault", "read_settings", "validate_with"]
 
@@ -25,12 +25,61 @@ def validate_with(check: Callable[[T], object], value: T) -> T:
     return value
 
 
-def first_fault(error: ValidationError) -> str:
-    """Return the first validation error in one line: the setting and its fault."""
+PROBLEMS: Final = {
+    "extra_forbidden": "no such setting",
+    "missing": "is missing",
+    "greater_than": "must be greater than {gt}",
+    "greater_than_equal": "must be at least {ge}",
+    "less_than": "must be less than {lt}",
+    "less_than_equal": "must be at most {le}",
+    "finite_number": "must be a finite number",
+    "literal_error": "must be {expected}",
+    "too_short": "needs at least {min_length} of them",
+    "string_too_short": "must have at least {min_length} characters",
+    "string_too_long": "must have at most {max_length} characters",
+    **dict.fromkeys(("int_type", "int_parsing", "int_from_float"), "must be an integer"),
+    **dict.fromkeys(("float_type", "float_parsing"), "must be a number"),
+    **dict.fromkeys(("bool_type", "bool_parsing"), "must be true or false"),
+    **dict.fromkeys(("string_type", "path_type"), "must be a text"),
+    **dict.fromkeys(("list_type", "tuple_type"), "must be a list"),
+    **dict.fromkeys(("dict_type", "model_type", "model_attributes_type"), "must be a mapping of names to values"),
+}
+"""Messages by pydantic's type of error; braces enclose names of its context."""
+
+
+def first_fault(error: ValidationError, model: type[BaseModel] | None = None) -> str:
+    """Return the first validation error in one line: the setting and its fault.
+
+    With the `model` that was validated, the error for an unknown setting suggests similar or lists all known settings.
+    """
     detail = error.errors(include_url=False, include_input=False)[0]
-    where = ".".join(map(str, detail["loc"])) or "all of it"
-    message = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
+    location = detail["loc"]
+    where = ".".join(map(str, location)) or "all of it"
+    message = (
+        PROBLEMS[detail["type"]].format_map(detail.get("ctx", {})) if detail["type"] in PROBLEMS else detail["msg"]
+    )
+    known = _settings_at(model, location[:-1]) if detail["type"] == "extra_forbidden" else []
+    if known:
+        near = similar_names(str(location[-1]).lower(), known)
+        message += f"; did you mean: {', '.join(near)}" if near else f"; there are: {', '.join(known)}"
     return f"{where}: {message.removeprefix('Value error, ')}"
+
+
+def _settings_at(model: type[BaseModel] | None, location: tuple[int | str, ...]) -> list[str]:
+    """Return the names of the settings at a location inside a model; none if it leads to no model."""
+    for part in location:
+        if isinstance(part, str) and model is not None:
+            field = model.model_fields.get(part)
+            model = None if field is None else next(_models_in(field.annotation), None)
+    return [] if model is None else list(model.model_fields)
+
+
+def _models_in(annotation: object) -> Iterator[type[BaseModel]]:
+    """Yield the model classes inside a type such as `Lora | None` or `tuple[HeldOut, ...]`."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for argument in get_args(annotation):
+        yield from _models_in(argument)
 
 
 # PyYAML's stubs leave nodes and events untyped:
@@ -99,15 +148,19 @@ def build_member(registry: Registry[type[M]], settings: Mapping[str, object], lo
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense, with its place.
-        UnknownNameError: no such kind.
+        UnknownNameError: no such kind; the message begins with the location.
     """
     kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
     if not isinstance(kind, str):
         raise fault(f"{location}.kind: give one of {', '.join(registry)}")
     try:
-        return registry[kind].model_validate(rest)
+        member = registry[kind]
+    except UnknownNameError as error:
+        raise UnknownNameError(f"{location}.kind: {error}") from None
+    try:
+        return member.model_validate(rest)
     except ValidationError as error:
-        raise fault(f"{location}.{first_fault(error)}") from None
+        raise fault(f"{location}.{first_fault(error, member)}") from None
 
 
 def build_each(given: object, built: Callable[[Mapping[str, object], str], T], location: str) -> object:
@@ -126,8 +179,11 @@ def configuration(
     out: Path | None,
     built: Callable[[dict[str, object]], T],
     fault: Fault,
+    model: type[BaseModel],
 ) -> T:
     """Return the object built from a YAML file or from settings; `out` overrides their output folder.
+
+    `model` is the class of settings that `built` validates; errors take the names of settings from it.
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense; and what `built`
@@ -141,7 +197,7 @@ def configuration(
     try:
         return built(settings)
     except ValidationError as error:
-        raise fault(f"{prefix}{first_fault(error)}") from None
+        raise fault(f"{prefix}{first_fault(error, model)}") from None
     except Sim2ReasonError as error:
         error.args = (f"{prefix}{error}", *error.args[1:])
         raise

@@ -33,7 +33,7 @@ Example:
 @options.difficulty()
 @options.mode("all")
 @options.several("--kind", "Kinds of question, separated by commas, or all.")
-@options.several("--quantity", "Quantities, as in speed,tension; or all.")
+@options.several("--quantity", "Quantities, as in velocity,tension; or all.")
 @options.several("--needs", "What solutions need, as in arithmetic,quadratic; or all.")
 @options.split()
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")

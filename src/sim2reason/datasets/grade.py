@@ -9,6 +9,7 @@ from typing import IO, NamedTuple, Protocol, cast, runtime_checkable
 
 from pydantic import BaseModel, JsonValue, ValidationError
 
+from sim2reason.base.settings import first_fault
 from sim2reason.datasets.dataset import Dataset, quote_id
 from sim2reason.datasets.plan import ALL_NAMES, Names
 from sim2reason.errors import DatasetError
@@ -218,8 +219,7 @@ def _response(text: bytes, location: str) -> Response:
     try:
         return Response.model_validate(_replace_surrogates(json.loads(text)))
     except ValidationError as error:
-        problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
-        raise DatasetError(f"{location}: {problem.strip()}; a line is {{id, response}}") from error
+        raise DatasetError(f"{location}: {first_fault(error)}; a line is {{id, response}}") from error
     except (ValueError, RecursionError) as error:
         raise DatasetError(f"{location}: no JSON: {error}; a line is {{id, response}}") from error
 

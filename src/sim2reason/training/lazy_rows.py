@@ -63,7 +63,7 @@ class LazySettings(Record):
         try:
             return cls.model_validate(read_settings(Path(path)))
         except ValidationError as error:
-            raise DatasetError(f"{path}: {first_fault(error)}") from None
+            raise DatasetError(f"{path}: {first_fault(error, cls)}") from None
         except EvaluationError as error:
             raise DatasetError(str(error)) from None
 

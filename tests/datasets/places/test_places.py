@@ -37,7 +37,9 @@ def test_without_ray_it_says_what_to_install(tmp_path: Path, monkeypatch: pytest
     monkeypatch.setitem(sys.modules, "ray", None)
     error = refusal(tmp_path / "out", "ray")
     assert isinstance(error, MissingExtraError)
-    assert str(error) == "ray is not installed; install it with: pip install 'ray[client]>=2.40'"
+    assert str(error) == (
+        "ray is not installed; install it with: pip install 'ray[client]>=2.40', or in a clone: pip install '.[ray]'"
+    )
 
 
 @pytest.mark.parametrize("address", ["127.0.0.1:1", "nowhere", "host:port", "127.0.0.1:99999"])

@@ -257,7 +257,7 @@ def _copy(export: Export, staging: Path, rows: dict[str, int], dataset: Dataset)
 def _replacing(folder: Path) -> Generator[Path, None, None]:
     """Return a context with a temporary folder that replaces `folder` on success, and is removed on failure."""
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise DatasetError(f"{folder}: is there already, and nothing is overwritten; give a new folder or remove it")
+        raise DatasetError(f"{folder}: already exists, and nothing is overwritten; give a new folder or remove it")
     if folder.exists() and folder.samefile("."):
         raise DatasetError(f"{folder}: is the folder that you are in, which can't be replaced; give a new one in it")
     folder.parent.mkdir(parents=True, exist_ok=True)

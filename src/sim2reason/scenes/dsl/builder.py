@@ -104,7 +104,10 @@ class Frame:
         name: str = "slide",
         stated: tuple[str, float] | None = None,
     ) -> "Frame":
-        """Add a coordinate along `axis`; `stated` is the label and initial value by which a text states a position."""
+        """Add a coordinate in m along `axis`, a vector of any length; the coordinate grows in its direction.
+
+        `stated` is the label and initial value by which a text states a position.
+        """
         own, direction = self._own(), unit(axis)
         self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", direction, speed, *limits, stated))
         return self

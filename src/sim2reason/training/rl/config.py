@@ -188,7 +188,7 @@ def build_reinforcement_learning(
     """
     if isinstance(config, ReinforcementLearning):
         return config if out is None else config.model_copy(update={"out": out})
-    return configuration(config, out, ReinforcementLearning.model_validate, TrainingError)
+    return configuration(config, out, ReinforcementLearning.model_validate, TrainingError, ReinforcementLearning)
 
 
 AVOIDED = "keys.json"

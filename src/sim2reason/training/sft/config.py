@@ -160,7 +160,7 @@ def build_fine_tuning(config: "Path | str | Mapping[str, object] | FineTuning", 
     """
     if isinstance(config, FineTuning):
         return config if out is None else config.model_copy(update={"out": out})
-    return configuration(config, out, FineTuning.model_validate, TrainingError)
+    return configuration(config, out, FineTuning.model_validate, TrainingError, FineTuning)
 
 
 ROWS, CORPORA_FOLDER, LOG, WHOLE = "rows.jsonl", "corpora.json", "log.jsonl", "whole"

@@ -147,4 +147,4 @@ def build_study(config: "Path | str | Mapping[str, object] | TrainingStudy", out
     """
     if isinstance(config, TrainingStudy):
         return config if out is None else config.model_copy(update={"out": out})
-    return configuration(config, out, TrainingStudy.model_validate, TrainingError)
+    return configuration(config, out, TrainingStudy.model_validate, TrainingError, TrainingStudy)

@@ -2,8 +2,22 @@
 
 from typing import Annotated
 
-from sim2reason.authoring import End, Entity, Force, Frame, Friction, Profile, Push, Range, X, Z, either, entity, scale
-from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.authoring import (
+    Block,
+    End,
+    Entity,
+    Force,
+    Frame,
+    Friction,
+    Profile,
+    Push,
+    Range,
+    X,
+    Z,
+    either,
+    entity,
+    scale,
+)
 
 
 @entity

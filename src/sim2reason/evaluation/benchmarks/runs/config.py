@@ -90,7 +90,9 @@ def build_evaluation(config: "Path | str | Mapping[str, object] | Evaluation", o
     """
     if isinstance(config, Evaluation):
         return config if out is None else replace(config, out=out)
-    return configuration(config, out, lambda settings: _evaluation(_File.model_validate(settings)), EvaluationError)
+    return configuration(
+        config, out, lambda settings: _evaluation(_File.model_validate(settings)), EvaluationError, _File
+    )
 
 
 def _evaluation(file: _File) -> Evaluation:
