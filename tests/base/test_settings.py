@@ -87,4 +87,4 @@ def test_configurations_name_the_settings_that_exist() -> None:
     with pytest.raises(UnknownNameError, match=r"^reward\.kind: no such name among rewards: 'acc'; "):
         build_reinforcement_learning({**run, "reward": "acc"})
     with pytest.raises(EvaluationError, match=r"^polices: no such setting; did you mean: policies$"):
-        build_evaluation({"out": "run", "policies": [{}], "benchmarks": [{}], "polices": []})
+        build_evaluation({"out": "run", "policies": [{"kind": "oracle"}], "benchmarks": [{"name": "b"}], "polices": []})

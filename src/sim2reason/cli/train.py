@@ -18,8 +18,7 @@ Example:
     sim2reason train rl experiments/tiny.yaml
     accelerate launch --no-python sim2reason train sft config.yaml
 
-A configuration names a model, what it learns from, and the folder of the run. The same command goes on where a run was
-broken off.
+A configuration names a model, its training data, and the folder of the run. The same command resumes an interrupted run.
 """
 SFT_EXAMPLE = """\b
 Example:
@@ -36,15 +35,15 @@ config.yaml, for a tiny model made here that learns from worked solutions:
     optimizer: muon
     learning_rate: 3.0e-3
 
-The trained model lies in run/model and loads like any checkpoint; the same command goes on where it was broken off.
+The trained model lies in run/model and loads like any checkpoint; the same command resumes an interrupted run.
 """
 RL_EXAMPLE = """\b
 Example:
     sim2reason train rl experiments/tiny.yaml
     accelerate launch --no-python sim2reason train rl experiments/paper/3b.yaml
 
-The trained model lies in OUT/model, what each step measured in OUT/train/log.jsonl, and accuracies on held-out problems
-before and after in OUT/report. The same command goes on where a run was broken off, with the prompt that comes next.
+The trained model is stored in OUT/model, the measured values of each step in OUT/train/log.jsonl, and accuracies on
+held-out problems before and after in OUT/report. The same command resumes an interrupted run with the next prompt.
 """
 STUDY_EXAMPLE = """\b
 Example:
