@@ -18,7 +18,7 @@ Example:
     sim2reason train rl experiments/tiny.yaml
     accelerate launch --no-python sim2reason train sft config.yaml
 
-A configuration names a model, its training data, and the folder of the run. The same command resumes an interrupted run.
+A configuration names a model, its training data and the folder of the run. The same command resumes an interrupted run.
 """
 SFT_EXAMPLE = """\b
 Example:
