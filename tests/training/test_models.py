@@ -119,8 +119,8 @@ def test_a_model_is_the_same_each_time_and_other_with_another_seed(tmp_path: Pat
 @installed
 def test_bytes_hang_neither_on_the_process_nor_on_threads(tmp_path: Path) -> None:
     code = (
-        "import sys\nfrom pathlib import Path\nfrom sim2reason.training.models import model_from\n"
-        f"model_from({TINY}).load(['A block of mass 2.0 kg. ' * 3, 'How fast is it? ' * 2], Path(sys.argv[1]))"
+        "import sys\nfrom pathlib import Path\nfrom sim2reason.training.models import build_model\n"
+        f"build_model({TINY}).load(['A block of mass 2.0 kg. ' * 3, 'How fast is it? ' * 2], Path(sys.argv[1]))"
     )
     for name, threads in (("a", "false"), ("b", "true")):
         env = {**os.environ, "TOKENIZERS_PARALLELISM": threads, "PYTHONHASHSEED": "random"}

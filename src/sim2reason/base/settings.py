@@ -34,7 +34,7 @@ PROBLEMS: Final = {
     "less_than_equal": "must be at most {le}",
     "finite_number": "must be a finite number",
     "literal_error": "must be {expected}",
-    "too_short": "needs at least {min_length} of them",
+    "too_short": "needs at least {min_length} item(s)",
     "string_too_short": "must have at least {min_length} characters",
     "string_too_long": "must have at most {max_length} characters",
     **dict.fromkeys(("int_type", "int_parsing", "int_from_float"), "must be an integer"),

@@ -28,7 +28,7 @@ NEED_DESCRIPTIONS = {
     Need.ARITHMETIC: "sums, products, quotients, whole powers, and sines and cosines of known angles",
     Need.QUADRATIC: "a square root or a quadratic equation",
     Need.INVERSE_FUNCTION: "an inverse trigonometric function, a logarithm or an exponential function",
-    Need.ROOT: "an equation that is solved numerically, be it transcendental or of a higher degree",
+    Need.ROOT: "a transcendental equation or one of a higher degree, solved numerically",
     Need.SPECIAL_FUNCTION: "an elliptic integral",
     Need.INTEGRATION: "equations of motion that are integrated numerically",
 }

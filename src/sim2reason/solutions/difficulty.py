@@ -44,7 +44,7 @@ class ScoreRange:
 
 LABELS: Mapping[Difficulty, ScoreRange] = {
     "easy": ScoreRange(-inf, 9, "a few laws that belong to one idea, few unknowns"),
-    "medium": ScoreRange(3, 14, "several laws that have to be put together, or two phases of a motion"),
+    "medium": ScoreRange(3, 14, "several laws combined, or two phases of a motion"),
     "hard": ScoreRange(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
 """Score ranges of the difficulty labels. Neighbouring ranges overlap: the label is requested, the score is measured."""

@@ -65,7 +65,7 @@ def test_an_arm_may_have_seeds_of_its_own() -> None:
         ({"arms": {}}, "arms"),
         ({"seeds": [1, 1]}, "a seed stands twice"),
         ({"arms": {"a": {"seeds": []}}}, "at least 1 item"),
-        ({"arms": {"a": {"seeds": ["x"]}}}, "valid integer"),
+        ({"arms": {"a": {"seeds": ["x"]}}}, "must be an integer"),
         ({"arms": {"a/b": {}}}, "arms"),
         ({"arms": {"a": {"reward": "nothing"}}}, r"arms\.a: .*nothing"),
         ({"arms": {"a": {"gspo": {"stps": 1}}}}, r"arms\.a: .*stps"),
