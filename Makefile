@@ -39,7 +39,7 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 # Long statistics are marked slow, and `make test` looks at a fixed sample of each.
 PYTEST = $(BIN)/pytest --numprocesses auto --dist worksteal
 
-test: .venv/dev ## the tests that need nothing else, in parallel; 5 minutes on two cores
+test: .venv/dev ## the tests that need nothing else, in parallel; 6 minutes on two cores
 	$(PYTEST)
 
 test-slow: .venv/dev ## the long statistics alone, which CI runs, too; 10 minutes on two cores

@@ -1,4 +1,4 @@
-"""What speed benchmarks share: a machine's phase, medians over rounds, and an earlier commit turn about with this tree.
+"""Common parts of speed benchmarks: the machine's phase, medians over rounds, and alternation with an earlier commit.
 
 Machines differ by a factor of two, and so do the minutes of one: only ratios of one run say anything.
 """
@@ -69,7 +69,7 @@ def checked_out(commit: str) -> Iterator[Path]:
 
 
 def compare(orders: Mapping[str, Order], rounds: int) -> None:
-    """Run all orders turn about, each printing `Figures` as JSON, and print medians and ratios to the first."""
+    """Run all orders alternately, each printing `Figures` as JSON, and print medians and ratios to the first."""
     found: dict[str, list[Figures]] = {name: [] for name in orders}
     for turn in range(rounds):
         for name, order in orders.items():

@@ -76,7 +76,7 @@ print(json.dumps({{"items / CPU-s": rate, PHASE: fixed_loop()}}))
 
 
 def beside(commit: str, count: int, mode: str, rounds: int) -> None:
-    """An earlier commit and this tree turn about."""
+    """Time an earlier commit and this tree alternately."""
     with checked_out(commit) as tree:
         recipes, kinds, filters = told((tree, ["-c", NAMES])).splitlines()
         _, *here = told((ROOT, ["-c", NAMES])).splitlines()

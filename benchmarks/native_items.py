@@ -1,4 +1,4 @@
-"""Items per CPU-second with the native core and without, cell by cell turn about, so that both see the same machine.
+"""Items per CPU-second with and without the native core, timed alternately for each recipe and difficulty.
 
     python benchmarks/native_items.py [items of each cell] [mode] [--tree PATH]
 

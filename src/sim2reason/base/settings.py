@@ -44,7 +44,7 @@ PROBLEMS: Final = {
     **dict.fromkeys(("list_type", "tuple_type"), "must be a list"),
     **dict.fromkeys(("dict_type", "model_type", "model_attributes_type"), "must be a mapping of names to values"),
 }
-"""Messages by pydantic's type of error; braces enclose names of its context."""
+"""Error messages by pydantic's error type; values of the error's context replace the names in braces."""
 
 
 def first_fault(error: ValidationError, model: type[BaseModel] | None = None) -> str:

@@ -55,7 +55,7 @@ def about(body: Shape, axis: int) -> float:
 
 
 def test_the_moments_of_textbooks() -> None:
-    """The moments are those of Halliday, Resnick and Walker, table 10-2.
+    """Moments of inertia agree with Halliday, Resnick and Walker, Fundamentals of Physics, table 10-2.
 
     The value 83/320 mr² for a hemisphere is about its centre of mass.
     """

@@ -228,7 +228,7 @@ def loading_arguments(path: str, revision: str | None = None) -> dict[str, Any]:
 
 @contextmanager
 def explain_errors(path: str, error: Callable[[str], Exception]) -> Generator[None]:
-    """Convert the library's loading errors in the block to the given `error` with one line."""
+    """Raise `error`, with a message of one line, if the block fails to load the model at `path`."""
     try:
         yield
     except (OSError, ValueError, ImportError) as found:

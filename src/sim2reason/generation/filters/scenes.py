@@ -163,7 +163,7 @@ class Jerk(Filter):
     order = 2
 
     def reason(self, candidate: Candidate) -> str:
-        """Return a reason if a string becomes taut again before the moment asked about or the end of the motion."""
+        """Return the reason if a slack string becomes taut again before the moment in question; else an empty text."""
         slackening = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
         lines = (line for _, line in _again(candidate))
         return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in slackening), "")

@@ -30,7 +30,7 @@ def read_stored_energy(match: re.Match[str], sentence: TokenizedSentence) -> Ite
 
 
 def read_change(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
-    """Yield the gain, the loss or the change of a quantity that has no direction."""
+    """Yield the question for the gain, loss or change of a scalar quantity."""
     name, verb = matching_entry(QUANTITIES, match["q"]), match["verb"]
     needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
     who = sentence.subject(match.groupdict().get("s"))
@@ -43,14 +43,14 @@ def read_change(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[M
 
 
 def read_exchanged_momentum(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
-    """Yield the momentum that a body gains or loses in a collision with another body: the impulse of that collision."""
+    """Yield the question for the impulse on a body, asked as the momentum that it gains or loses in a collision."""
     of = sentence.subject(match["s"])
     if not of.startswith(f"{ALL_WORD} "):  # the momenta of both change by nothing together
         yield Main(IMPULSE, of, needs=JUMP)
 
 
 def lost_in_impact(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
-    """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
+    """Yield the questions for the kinetic energy that a body loses in an impact, and for all energy lost there."""
     for of in token_subjects(sentence, match.groupdict().get("s")):
         yield Main("kinetic energy", of, needs=JUMP)
         yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL_WORD} {of}", ALL_WORD),) if of else ())

@@ -16,16 +16,16 @@ ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 
 def units(text: str) -> list[str]:
-    """Return the parts of a text in order, each part a sentence or a table."""
+    """Split a text into its sentences and tables, in order."""
     parts: list[str] = []
     for block in re.split(r"\n\n+", text.strip()):
         parts.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
     return [unit for unit in parts if unit]
 
 
-def is_table(unit: str) -> bool:
-    """Return whether a unit is a table rather than a sentence."""
-    return unit.lstrip().startswith("|")
+def is_table(text: str) -> bool:
+    """Return whether a piece of a prompt is a table in Markdown rather than a sentence."""
+    return text.lstrip().startswith("|")
 
 
 def join_units(parts: Sequence[str]) -> str:

@@ -12,6 +12,7 @@ from sim2reason.base.registry import Registry
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.structure import fix_body
 
 
 class Misconception(ABC):
@@ -58,6 +59,14 @@ class ChangedMechanism(Misconception):
     def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the motion of the changed mechanism until a time, s; None if there is none."""
         return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
+
+
+class FixedBody(ChangedMechanism):
+    """The base class of misconceptions in which a moving body is taken to be fixed to what carries it."""
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Return the mechanism with the body fixed to its carrier."""
+        return fix_body(mechanism, subject)
 
 
 class MisinterpretedMotion(Misconception):

@@ -5,7 +5,7 @@ from dataclasses import replace
 from math import inf, isfinite
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, misconception
+from sim2reason.questions.simplifications import ChangedMechanism, FixedBody, misconception
 from sim2reason.questions.simplifications.inertia import (
     influential_bodies,
     massive_bodies,
@@ -17,7 +17,6 @@ from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.structure import (
     RESIDUAL_MASS_RATIO,
-    fix_body,
     is_gravity_relevant,
     remove_body,
     replace_bodies,
@@ -28,7 +27,7 @@ from sim2reason.scenes.dsl.vectors import scale
 
 
 @misconception
-class BodyHeld(ChangedMechanism):
+class BodyHeld(FixedBody):
     """A moving body is assumed to be fixed."""
 
     name = "body held"
@@ -41,10 +40,6 @@ class BodyHeld(ChangedMechanism):
         del query
         movable = {coordinate.body for coordinate in study.mechanism.coordinates}
         return [name for name in massive_bodies(study.mechanism) if name in movable]
-
-    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with the body fixed to its carrier."""
-        return fix_body(mechanism, subject)
 
 
 @misconception
@@ -75,7 +70,7 @@ class BodyLeftOut(ChangedMechanism):
 
 
 @misconception
-class FixedCarrier(ChangedMechanism):
+class FixedCarrier(FixedBody):
     """A carrier of other bodies, such as a wedge, is assumed to be fixed."""
 
     name = "fixed carrier"
@@ -87,10 +82,6 @@ class FixedCarrier(ChangedMechanism):
         """Return the carriers that can move."""
         del query
         return movable_carriers(study.mechanism)
-
-    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with the carrier fixed."""
-        return fix_body(mechanism, subject)
 
 
 @misconception

@@ -6,13 +6,13 @@ from itertools import pairwise
 from math import hypot
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, misconception
+from sim2reason.questions.simplifications import ChangedMechanism, FixedBody, misconception
 from sim2reason.questions.simplifications.events import query_time
 from sim2reason.questions.simplifications.inertia import string_wheels
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
-from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, fix_body, replace_bodies, replace_lines
+from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, replace_bodies, replace_lines
 from sim2reason.scenes.dsl.vectors import subtract_triples
 
 VERTICAL_COSINE = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical
@@ -101,7 +101,7 @@ def _straight_runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line,
 
 
 @misconception
-class FixedMovablePulley(ChangedMechanism):
+class FixedMovablePulley(FixedBody):
     """The acceleration relative to a movable pulley is taken for that relative to the ground."""
 
     name = "fixed movable pulley"
@@ -113,10 +113,6 @@ class FixedMovablePulley(ChangedMechanism):
         """Return the names of all movable pulleys."""
         del query
         return movable_pulleys(study.mechanism)
-
-    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with the pulley fixed."""
-        return fix_body(mechanism, subject)
 
 
 @misconception

@@ -199,10 +199,6 @@ class PolygonalPrism(Shape):
         "a uniform regular {shape} {noun} of height {height} and mass {mass} with its lateral edges {radius} from its axis",
         "a uniform regular {shape} {noun} (height {height}, mass {mass}) whose lateral edges are {radius} from its axis",
     )
-    named = (
-        "a uniform regular {shape} {noun} {letter} of height {height} and mass {mass} with its lateral edges {radius} from its axis",
-        "a uniform regular {shape} {noun} {letter} (height {height}, mass {mass}) whose lateral edges are {radius} from its axis",
-    )
 
     @property
     def sides(self) -> int:
@@ -236,10 +232,6 @@ class LongPrism(Shape):
     lone = (
         "a long uniform {noun} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
         "a long uniform regular {shape} {noun} of mass {mass} whose edges are {radius} from its axis",
-    )
-    named = (
-        "a long uniform {noun} {letter} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
-        "a long uniform regular {shape} {noun} {letter} of mass {mass} whose edges are {radius} from its axis",
     )
 
     @property

@@ -42,10 +42,6 @@ class BoredCylinder(Shape):
         "a bored {noun} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
         "a uniform solid {noun} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
     )
-    named = (
-        "a bored {noun} {letter} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
-        "a uniform solid {noun} {letter} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
-    )
 
     @model_validator(mode="after")
     def _encloses_the_hole(self) -> Self:
@@ -88,10 +84,6 @@ class SphereWithHole(Shape):
         "a {noun} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
         "a uniform {noun} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
     )
-    named = (
-        "a {noun} {letter} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
-        "a uniform {noun} {letter} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
-    )
 
     @model_validator(mode="after")
     def _encloses_the_hole(self) -> Self:
@@ -130,10 +122,6 @@ class HollowSphereWithHole(Shape):
     lone = (
         "a hollow {noun} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
         "a hollow {noun} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
-    )
-    named = (
-        "a hollow {noun} {letter} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
-        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
     )
 
     @model_validator(mode="after")
@@ -181,10 +169,6 @@ class SphericalCap(Shape):
         "a solid spherical {noun} of height {height} and mass {mass} cut from a uniform ball of radius {radius}",
         "a uniform spherical {noun} (height {height}, mass {mass}) sliced off a solid ball of radius {radius}",
     )
-    named = (
-        "a solid spherical {noun} {letter} of height {height} and mass {mass} cut from a uniform ball of radius {radius}",
-        "a uniform spherical {noun} {letter} (height {height}, mass {mass}) sliced off a solid ball of radius {radius}",
-    )
 
     @model_validator(mode="after")
     def _is_cut(self) -> Self:
@@ -217,10 +201,6 @@ class Bowl(Shape):
     lone = (
         "a {noun} of mass {mass} and height {height} cut from a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
         "a {noun} ({height} high, mass {mass}) that is part of a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
-    )
-    named = (
-        "a {noun} {letter} of mass {mass} and height {height} cut from a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
-        "a {noun} {letter} ({height} high, mass {mass}) that is part of a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
     )
 
     @model_validator(mode="after")

@@ -19,7 +19,6 @@ class Arm(Body):
     nouns = ("arm",)
     letters = "LMN"
     lone = ("a light straight {noun}", "a straight light {noun}")
-    named = ("a light straight {noun} {letter}", "a straight light {noun} {letter}")
 
     @property
     def look(self) -> Slender:
@@ -38,7 +37,6 @@ class Ball(Body):
 
     nouns = ("ball", "bead")
     lone = ("a small {noun} of mass {mass}", "a small {noun} ({mass})")
-    named = ("a small {noun} {letter} of mass {mass}", "a small {noun} {letter} ({mass})")
     listed = "{letter} ({mass})"
 
     def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
@@ -66,7 +64,6 @@ class FixedBall(Shape):
 
     nouns = ("ball",)
     lone = ("a small {noun} of mass {mass}", "a small {noun} ({mass})")
-    named = ("a small {noun} {letter} of mass {mass}", "a small {noun} {letter} ({mass})")
 
     @property
     def solid(self) -> Solid:
@@ -101,10 +98,6 @@ class Bar(Shape):
     lone = (
         "a uniform rectangular {noun} of length {length}, width {width}, thickness {thickness} and mass {mass}",
         "a rectangular {noun} of mass {mass} ({length} long, {width} wide, {thickness} thick)",
-    )
-    named = (
-        "a uniform rectangular {noun} {letter} of length {length}, width {width}, thickness {thickness} and mass {mass}",
-        "a rectangular {noun} {letter} of mass {mass} ({length} long, {width} wide, {thickness} thick)",
     )
 
     @property
@@ -170,10 +163,6 @@ class UniformRod(Shape):
     lone = (
         "a uniform thin {noun} of length {length} and mass {mass}",
         "a thin uniform {noun} (length {length}, mass {mass})",
-    )
-    named = (
-        "a uniform thin {noun} {letter} of length {length} and mass {mass}",
-        "a thin uniform {noun} {letter} (length {length}, mass {mass})",
     )
 
     @property

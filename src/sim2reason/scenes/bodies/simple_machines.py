@@ -296,10 +296,6 @@ class SteppedPulley(Body):
         "a {noun} of outer radius {outer}, inner radius {inner} and moment of inertia {inertia} about its axle",
         "a {noun} (outer radius {outer}, inner radius {inner}, moment of inertia {inertia} about its axle)",
     )
-    named = (
-        "a {noun} {letter} of outer radius {outer}, inner radius {inner} and moment of inertia {inertia} about its axle",
-        "a {noun} {letter} (outer radius {outer}, inner radius {inner}, moment of inertia {inertia} about its axle)",
-    )
 
     @property
     def look(self) -> Axial:

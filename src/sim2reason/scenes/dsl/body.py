@@ -168,9 +168,9 @@ class Body(Model):
     """The base class of all bodies. A subclass declares its numbers as fields and its phrases as class data.
 
     `lone` introduces the only one of its series, `again` one more without a letter, by default as *another*, `named`
-    one with a letter, `listed` one inside a list that begins with the plural noun, `alike` all of such a list at once,
-    after their letters, if their numbers agree. All introductions state the same numbers; the entity's lines must state
-    the remaining ones.
+    one with a letter, by default as `lone` does with the letter after the noun, `listed` one inside a list that begins
+    with the plural noun, `alike` all of such a list at once, after their letters, if their numbers agree. All
+    introductions state the same numbers; the entity's lines must state the remaining ones.
     """
 
     nouns: ClassVar[tuple[str, ...]] = ()
@@ -204,6 +204,8 @@ class Body(Model):
         """Raise TypeError if the phrases of a subclass do not match its numbers."""
         if not cls.nouns:
             return
+        if cls.letters and "lone" in vars(cls) and "named" not in vars(cls):
+            cls.named = tuple(template.replace("{noun}", "{noun} {letter}", 1) for template in cls.lone)
         introductions = [*cls.lone, *cls.again, *cls.named, *filter(None, (cls.listed, cls.alike))]
         if len(cls.lone) < 2 or (cls.letters and len(cls.named) < 2):
             raise TypeError(f"{cls.__name__}: a body needs at least two ways to be introduced")

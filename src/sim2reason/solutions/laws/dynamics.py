@@ -44,7 +44,7 @@ ACCELERATIONS = LawQuantity("a", ACCELERATION, "acceleration")
 
 
 def equal_rates(row: Row) -> tuple[tuple[int, int], int] | None:
-    """Return two coordinates that a string binds to equal rates, with their relative sign; None for other laws."""
+    """Return the two coordinates that a string keeps at equal speed, and 1 or −1 for their signs; else None."""
     if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
         return None
     parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]

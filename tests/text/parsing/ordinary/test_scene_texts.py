@@ -1,4 +1,4 @@
-"""Tests of scenes in ordinary English: read as the same scene, or refused with the nearest sentence."""
+"""Tests that a scene in ordinary English is parsed, or rejected with the most similar sentence of the grammar."""
 
 import re
 

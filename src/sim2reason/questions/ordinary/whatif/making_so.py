@@ -174,8 +174,8 @@ def _by_result(
         every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         told = every if frame.compare != VALUE else told_values(every, path, frame, motion)
         values = _select_extreme(frame.end, told)
-        variant = condition._replace(stated=stated)
-        leading = [value for value in values if _leads(value, path, question_sentence, variant, motion, words, reader)]
+        here = path, question_sentence, condition._replace(stated=stated), motion, words, reader
+        leading = [value for value in values if _leads(value, *here)]
         leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)

@@ -212,7 +212,10 @@ def _system(problem: Problem, mode: ContactMode, active: list[int], faint: float
 
 
 def _spread(values: Row, active: list[int], size: int) -> Row:
-    """Return the multipliers of all `size` rows, zero for inactive ones, followed by the remaining values."""
+    """Expand Lagrange multipliers of the active constraints to all `size` constraints, zero for inactive ones.
+
+    Values beyond those of active constraints, such as static friction, follow unchanged.
+    """
     spread = [0.0] * size
     for number, value in zip(active, values, strict=False):
         spread[number] = value

@@ -228,7 +228,7 @@ class Attractions:
         return (pulls[:, None] * separations).ravel() @ self._jacobians_apart(data)
 
     def _jacobians_apart(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
-        """Return the Jacobian of the separation of each pair, (3·pairs, joints)."""
+        """Return the derivatives of the vector between the centres of mass of each pair, (3·pairs, joints)."""
         if self._apart is not None:
             return self._apart
         for body in self._bodies:

@@ -1,4 +1,4 @@
-"""Parts that turn about a point as kinds of subjects: rods, swinging lines, axles and pulleys."""
+"""Subjects of quantities that rotate about a point: rods, swinging lines, axles and pulleys."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
