@@ -6,6 +6,7 @@ import pytest
 from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from sim2reason.base import registry
 from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member, first_fault
 from sim2reason.errors import EvaluationError, TrainingError, UnknownNameError
@@ -68,15 +69,16 @@ def test_without_a_model_no_names_are_listed() -> None:
     assert first_fault(refused.value) == "other: no such setting"
 
 
-def test_an_unknown_kind_has_its_location() -> None:
-    registry: Registry[type[Inner]] = Registry("base")
-    registry.add("inner", Inner)
+def test_an_unknown_kind_has_its_location(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(registry, "_further", [])  # workers of later tests need not know the member
+    kinds: Registry[type[Inner]] = Registry("base")
+    kinds.add("inner", Inner)
     with pytest.raises(
         UnknownNameError, match=r"^rows\[2\]\.kind: no such name among base: 'iner'; did you mean: inner$"
     ):
-        build_member(registry, {"kind": "iner"}, "rows[2]", EvaluationError)
+        build_member(kinds, {"kind": "iner"}, "rows[2]", EvaluationError)
     with pytest.raises(EvaluationError, match=r"^rows\[2\]\.promts: no such setting; did you mean: prompts$"):
-        build_member(registry, {"kind": "inner", "promts": 1}, "rows[2]", EvaluationError)
+        build_member(kinds, {"kind": "inner", "promts": 1}, "rows[2]", EvaluationError)
 
 
 def test_configurations_name_the_settings_that_exist() -> None:
