@@ -280,7 +280,7 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
         raise TextError(
             "question", f"{question!r} is not understood", suggest_rewording(question, motion, search.words)
         )
-    read_as = interpretation.posed_question.sentence(search.words) or interpretation.asked.text
+    read_as = interpretation.posed_question.sentence(search.words) or interpretation.asked.options
     return _answered(problem, search, interpretation.posed_question, interpretation.simulated_answer)._replace(
         read_as=read_as
     )

@@ -1,6 +1,7 @@
 """Questions given in parts instead of a sentence: the quantity to find, its subject and the moment."""
 
 import re
+import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self, cast
@@ -128,10 +129,18 @@ class StructuredQuestion:
     @property
     def text(self) -> str:
         """Return the parts of the question as one text."""
+        return f"({', '.join(f'{name}: {part}' for name, part in self._parts().items())})"
+
+    @property
+    def options(self) -> str:
+        """Return the parts of the question as options of a command, such as ``--find time --when 'A stopped'``."""
+        return " ".join(f"--{name} {shlex.quote(part)}" for name, part in self._parts().items())
+
+    def _parts(self) -> dict[str, str]:
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
         compare = self.compare or ("ratio" if self.change and REMOVAL.search(self.change) is None else "")
         parts |= {"change": self.change, "compare": compare}
-        return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
+        return {name: part for name, part in parts.items() if part}
 
 
 def resolve_name(field_name: str, text: str, candidates: Mapping[str, str]) -> str:

@@ -180,6 +180,13 @@ VALUES = [
     ("    parameters: {force: 5.0}\n", "", "scene.entities[1].parameters.force (line 13)", "it is missing", "N"),
     ("gravity: 9.8", "gravity: -1", "scene.world.gravity (line 21)", "-1 is less than 0", "m/s^2"),
     ("free: 2.0", "free: 0", "scene.connections[0].free (line 20)", "0 is less than", "m"),
+    (
+        "parameters: {force: 5.0}",
+        "force: 5.0",
+        "scene.entities[1].force (line 15)",
+        "no such key",
+        "parameters: {force",
+    ),
     ("free: 2.0", "fee: 2.0", "scene.connections[0].fee (line 20)", "there is no such key", "free"),
     ("direction: end", "direction: ed", "scene.connections[0].tendon[1].direction (line 19)", "no direction", "end"),
     ("entity: hand", "entity: hend", "scene.connections[0].tendon[1].entity (line 19)", "no entity", "hand"),
@@ -224,7 +231,7 @@ def test_the_path_the_problem_and_the_remedy_are_told(
 
 def test_several_mistakes_in_one_value_are_counted_in_one_error() -> None:
     error = refused(PUCKS.replace("x: 0.0, y: 0.0", "x: a, y: b"))
-    assert error.problem == '"a" is not a number (and 1 more mistakes here)'
+    assert error.problem == '"a" is not a number (and 1 more mistake here)'
 
 
 def test_long_values_are_cut_short() -> None:

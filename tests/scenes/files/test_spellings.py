@@ -110,7 +110,7 @@ FIRST, SECOND = "scene.entities[0].parameters.", "scene.entities[1].parameters."
         ("[10]", "10", FIRST + "mass_values (line 9)", "not a list", "[10]"),
         ("      mass_values: [10]\n", "", FIRST + "mass_values (line 8)", "it is missing", "[10]"),
         ('"Mass"', '"Rocket"', FIRST + "mass_type (line 8)", 'no type "Rocket"', "Mass, hanging, on_plane"),
-        ('"Mass"', "OnPlane", FIRST + "plane (line 8)", "it is missing", "keys of its own"),
+        ('"Mass"', "OnPlane", FIRST + "plane (line 8)", "it is missing", "a mapping, such as {"),
         ('"Mass"', "3", FIRST + "mass_type (line 8)", "3, not a word", "Mass"),
         ('"Mass"', "[Mass, Mass]", FIRST + "mass_type (line 8)", "2 members for 1", "one word"),
         ("[10]", "[10]\n      system: {}", FIRST + "system (line 10)", "says the same", "one of the two"),

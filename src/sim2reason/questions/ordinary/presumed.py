@@ -114,11 +114,12 @@ def check_presumptions(reading: Reading, followed: SimulatedAnswer, query: Query
     for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.present_directions, late)):
         for who, presumption in ways:
             if presumption in AXES:
-                yield (
-                    ""
-                    if _goes(kind, who, presumption, trace.at(instant), words)
-                    else f"{who} does not go {presumption}"
+                fails = (
+                    f"{who} has not moved {presumption} by then"
+                    if kind is Displacement
+                    else f"{who} does not move {presumption} then"
                 )
+                yield "" if _goes(kind, who, presumption, trace.at(instant), words) else fails
             elif presumption.startswith(ORIGIN):
                 yield (
                     ""

@@ -153,7 +153,7 @@ STRETCHES: Mapping[str, Reader] = {
     # extremes
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY}[ (?:of|in|on) {s}]": _pairs("greatest"),
     "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [that ]~{s} ATTAINS": (_pairs("greatest")),
-    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} (?:reached|attained) by {s}": _pairs("greatest"),
+    "(?:ASK|what) [SIZE ]GREATEST {q=QUANTITY} [is ](?:reached|attained|achieved)[ by {s}]": _pairs("greatest"),
     "ASK {s} 's GREATEST {q=QUANTITY}": _pairs("greatest"),
     "(?:ASK|what) [SIZE ]LEAST {q=QUANTITY}[ (?:of|in|on) {s}]": _pairs("least"),
     "ASK GREATEST {q=QUANTITY} between {s}[ and {t}]": _pairs("greatest"),
@@ -253,12 +253,13 @@ STRETCHES: Mapping[str, Reader] = {
     " [first ]LANDS[ FIRST_TIME]": _before_landing,
     "what area ~{s} and {t} sweep": _only_pair_reader("area swept"),
     # times and periods
-    "(?:ASK|what) GREATEST height(?: of {s}|) above SURFACE": _highest,
+    "(?:ASK|what) GREATEST height(?: of {s}| reached| attained|) above SURFACE": _highest,
     "(?:ASK|what) GREATEST height above SURFACE [that ]~(?:of |reached by |){s}[ ~reaches| ~reach]": _highest,
     "(?:ASK|what) GREATEST height above HOME [that ]~{s} ATTAINS": _above_start,
     "ASK GREATEST height of {s} above HOME": _above_start,
     "how long ~{s} [keep |continue to |keep on ]{motion=MOTION} {way=WAY}": _keeps_on,
     "how high above its starting point ~{s} (?:rise|get|go|rises|gets)": _above_start,
+    "how far ~{s} (?:rise|ascend|rises|ascends)": _above_start,
     "ASK [horizontal ]range of {s}": _range,
     "ASK {s} 's [horizontal ]range": _range,
     "ASK [horizontal ]range[ of (?:throw|flight|shot|projectile|motion|trajectory)]": _range,

@@ -164,7 +164,9 @@ MOTION_TURNS: Mapping[str, str] = {
     r" \g<n>",
     "\\bpropellant\\b": "fuel",
     # heights
-    "^(?:by |through )?what (?:vertical )?height (?:does|will) (?P<s>@\\d+@) gain": r"how high does \g<s> rise",
+    "^(?:by |through )?(?:what|how much) (?:vertical )?height (?:does|will) (?P<s>@\\d+@) gain": (
+        r"how high does \g<s> rise"
+    ),
     "\\b(?:gain|gains|gained) (?P<n>#\\d+#) (?:in|of) (?:height|altitude|elevation)": r"rise \g<n> vertically",
     # lengths of paths
     "\\b(?:what|find|determine|calculate) (?:is )?(?:total |whole |entire )?length of (?:@0@ 's (?:path|track"

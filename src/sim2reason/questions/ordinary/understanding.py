@@ -203,7 +203,7 @@ def _agree(meanings: list[UnderstoodQuestion], words: Words) -> None:
     answers = [each.simulated_answer.answer for each in meanings]
     if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=ANSWER_RTOL, abs_tol=1e-12) for answer in answers):
         return
-    wordings = dict.fromkeys(each.posed_question.sentence(words) or each.asked.text for each in meanings)
+    wordings = dict.fromkeys(each.posed_question.sentence(words) or each.asked.options for each in meanings)
     raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(wordings)}")
 
 
@@ -280,8 +280,10 @@ def suggest_rewording(sentence: str, motion: FollowedMotion, words: Words) -> st
         (suggested for suggested in offered if suggested),
         key=lambda suggested: -len(sentence_words & _content_words(suggested)) / len(_content_words(suggested)),
     )
-    near = [suggested for suggested in ranked if sentence_words & _content_words(suggested)][:MAX_SUGGESTIONS]
-    suggested = f"did you mean: {' or: '.join(near)}" if near else "see: sim2reason ask SCENE"
+    near = [suggested for suggested in ranked if sentence_words & _content_words(suggested)]
+    label = "did you mean" if near else "questions of this scene, and more by sim2reason ask, are"
+    several = " or: ".join((near or ranked)[:MAX_SUGGESTIONS])
+    suggested = f"{label}: {several}" if several else "see: sim2reason ask SCENE"
     return f"{why}; {suggested}" if why else suggested
 
 

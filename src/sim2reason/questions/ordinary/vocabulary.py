@@ -125,7 +125,7 @@ ROUND = "round "  # goes round a named body
 
 WORDS: Mapping[str, str] = {
     "AUX": "is are was were be been being has have had having does do did will would to it still",
-    "GREATEST": "greatest maximum maximal largest highest biggest",
+    "GREATEST": "greatest maximum maximal largest highest biggest peak",
     "LEAST": "least minimum minimal smallest lowest",
     "SURFACE": "plane slope incline ramp floor ground table track surface lane hill",
     "ORDINAL": "first second third fourth fifth sixth",

@@ -38,6 +38,7 @@ from sim2reason.scenes.files.validation import (
     canonical_parameters,
     check_position,
     explain_error,
+    parameters_outside,
     plain_name,
     source_text,
 )
@@ -202,6 +203,8 @@ def _scene(data: Plain) -> Scene:
 
 
 def _entity(entry: Plain, location: str) -> Named:
+    for key in sorted(parameters_outside(entry, _types()) - set(ENTITY_KEYS)):
+        _refuse_key(f"{location}.{key}", f"move it below the key parameters: parameters: {{{key}: …}}")
     fields = _mapping(entry, location, ENTITY_KEYS)
     for key in ("name", "type"):
         if not isinstance(fields.get(key), str):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from sim2reason.base.records import format_count
 from sim2reason.base.yaml_text import MAX_BYTES, Lines, Plain, parse, quote_value
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.entity import Entity
@@ -72,7 +73,7 @@ def explain_error(cls: type[Model], error: ValidationError, location: str) -> Sc
     where = location + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
     if first["type"] == "value_error":
         return _own(str(first["msg"]).removeprefix("Value error, "), where)
-    more = f" (and {len(details) - 1} more mistakes here)" if len(details) > 1 else ""
+    more = f" (and {format_count(len(details) - 1, 'more mistake')} here)" if len(details) > 1 else ""
     return SceneError(where, _problem(first) + more, _remedy(cls, first))
 
 
@@ -98,6 +99,10 @@ def _remedy(cls: type[Model], detail: ErrorDetails) -> str:
         return NAMING
     name = detail["loc"][0] if detail["loc"] else ""
     wanted = next((words(field.schema) for field in fields(cls) if field.name == name), "")
+    models = field_types(cls)[str(name)].models if detail["type"] == "missing" else ()
+    if len(models) == 1:
+        needed = [key for key, field in models[0].model_fields.items() if field.is_required()]
+        wanted = f"a mapping, such as {{{', '.join(f'{key}: …' for key in needed)}}}" if needed else "a mapping"
     return f"give {wanted}" if wanted else "mend it"
 
 
@@ -119,6 +124,13 @@ class CanonicalParameters:
             if place == new or place.startswith((f"{new}.", f"{new}[")):
                 return old + place.removeprefix(new).removesuffix(".mass")
         return place
+
+
+def parameters_outside(entry: Plain, types: Mapping[str, type[Entity]]) -> set[str]:
+    """Return the keys of an entity's entry that its class has as parameters."""
+    if not isinstance(entry, dict) or str(entry.get("type")) not in types:
+        return set()
+    return set(entry) & set(types[str(entry["type"])].model_fields)
 
 
 def plain_name(name: Plain) -> Plain:

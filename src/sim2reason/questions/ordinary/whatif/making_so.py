@@ -98,7 +98,7 @@ def number_making_so(
     answers = [each.simulated_answer.answer for each in meanings]
     known = [answer for answer in answers if answer is not None]
     if any(not isclose(answer, known[0], rel_tol=RESULT_RTOL) for answer in known):
-        told_ways = dict.fromkeys(each.asked.text for each in meanings)
+        told_ways = dict.fromkeys(each.asked.options for each in meanings)
         raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
     return next((each for each in meanings if each.simulated_answer.answer is not None), next(iter(meanings), None))
 
@@ -187,7 +187,7 @@ def _by_result(
             meanings.append(UnderstoodQuestion(wanted, question, question.simulate_answer(motion)))
     answered = [each for each in meanings if each.simulated_answer.answer is not None]
     if len({f"{each.simulated_answer.answer:.6g}" for each in answered}) > 1:
-        raise TextError("question", "it can be read in several ways", answered[0].asked.text)
+        raise TextError("question", "it can be read in several ways", answered[0].asked.options)
     return next(iter(answered or meanings), None)
 
 
