@@ -18,16 +18,19 @@ import os
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import accumulate, islice
 from pathlib import Path
 from queue import Queue
+from subprocess import DEVNULL, PIPE
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "sim2reason"
@@ -183,15 +186,19 @@ def _failure(source: Path, tests: tuple[str, ...], switch: str) -> str:
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
     limit = LIMITS[tests == OTHERS]
-    try:
-        done = subprocess.run(
-            command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=limit, check=False
-        )
-    except subprocess.TimeoutExpired:
-        return f"the time limit of {' '.join(tests)}"
-    if done.returncode in (0, 5):
+    with subprocess.Popen(
+        command, cwd=ROOT, env=environment, stdout=PIPE, stderr=DEVNULL, text=True, start_new_session=True
+    ) as process:
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except subprocess.TimeoutExpired:
+            return f"the time limit of {' '.join(tests)}"
+        finally:
+            with suppress(ProcessLookupError):  # a mutant's loop without end may run in a process that a test started
+                os.killpg(process.pid, signal.SIGKILL)
+    if process.returncode in (0, 5):
         return ""
-    named = re.search(r"^(?:FAILED|ERROR) (tests/\S+)", done.stdout, re.MULTILINE)
+    named = re.search(r"^(?:FAILED|ERROR) (tests/\S+)", output, re.MULTILINE)
     return named[1] if named else f"the start of {' '.join(tests)}"
 
 
