@@ -10,7 +10,6 @@ import numpy as np
 from sim2reason.errors import SimulationError, TextError
 from sim2reason.questions import KINDS, MODES, Formula, ParsedQuestion, Query, Question, SimulatedScene, Words
 from sim2reason.questions.following import FollowedMotion, simulate_scene, simulate_until_answer
-from sim2reason.questions.ordinary.understanding import suggest_rewording, understand_sentence
 from sim2reason.questions.sentences import depends_on_start
 from sim2reason.questions.shapes import SHAPES, Draft, shapes_to_try
 from sim2reason.questions.spoken_units import in_si
@@ -303,6 +302,11 @@ def _in_ordinary_english(
     draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
 ) -> ParsedPrompt:
     """Return the meaning of a draft with a question in ordinary English; TextError if a part has no meaning."""
+    from sim2reason.questions.ordinary.understanding import (  # noqa: PLC0415 - it compiles hundreds of patterns
+        suggest_rewording,
+        understand_sentence,
+    )
+
     reading = _told(draft, rng)
     if len(reading.unknown) > 1:
         raise unstated_error(reading.unknown.values())
