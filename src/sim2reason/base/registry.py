@@ -8,7 +8,7 @@ from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from pkgutil import iter_modules, walk_packages
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 from sim2reason.errors import EntryPointError, UnknownNameError
 
@@ -91,6 +91,19 @@ class Registry(Mapping[str, T], Generic[T]):
             return self._members[name]
         except (KeyError, TypeError):  # a list, say, is no key at all
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
+
+    def __contains__(self, name: object) -> bool:
+        """Return whether there is a member with a name, without the search for similar names of an error."""
+        self._fill()
+        return isinstance(name, str) and name in self._members
+
+    @overload
+    def get(self, key: str, /) -> T | None: ...
+    @overload
+    def get(self, key: str, default: T | M, /) -> T | M: ...
+    def get(self, key: str, default: T | M | None = None, /) -> T | M | None:
+        """Return the member with a name, or a default if there is none."""
+        return self._members[key] if key in self else default
 
     def _hint(self, name: object) -> str:
         """Return a hint for an unknown name: similar names, all names, or the command that lists them."""

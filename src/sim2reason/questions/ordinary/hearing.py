@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sim2reason.questions.moments.occurrence import can_roll
 from sim2reason.questions.ordinary.base_forms import verb_forms
@@ -223,7 +224,12 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
         )
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
         ranked.append((3, wording, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
-    return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(ranked, reverse=True)]
+    return [(phrase, _compiled(pattern)) for _, phrase, pattern in sorted(ranked, reverse=True)]
+
+
+@lru_cache(maxsize=2048)  # several questions about each of many scenes; the cache of `re` holds 512
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
 
 
 def _with_pulleys(text: str, words: Words) -> str:
