@@ -130,6 +130,13 @@ def _digest(chosen: tuple[tuple[str | float, ...] | str, ...]) -> str:
 
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
+DISTRIBUTIONS = {"mujoco": "mujoco-core"}
+"""The distribution that provides a package, where it has another name."""
+
+
+def shaping_versions() -> dict[str, str]:
+    """Return the versions of the packages that may change the bytes of a dataset."""
+    return {package: version(DISTRIBUTIONS.get(package, package)) for package in SHAPING}
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,9 +160,7 @@ Maker = Callable[[Request], Made]
 def versions() -> dict[str, str]:
     """Return the versions of all packages and platforms that may change the bytes of an item."""
     installed = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
-    for package in SHAPING:
-        installed[package] = version(package)
-    return dict(sorted(installed.items()))
+    return dict(sorted((installed | shaping_versions()).items()))
 
 
 def load_maker(path: str) -> Maker:

@@ -4,7 +4,6 @@ import json
 import shutil
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated, Any, cast
 
@@ -25,7 +24,7 @@ from sim2reason.evaluation.benchmarks import (
 )
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.evaluation.policies import POLICIES, Policy, build_policy
-from sim2reason.generation.request import SHAPING
+from sim2reason.generation.request import shaping_versions
 
 __all__ = ["BenchmarkPlan", "Evaluation", "PolicyPlan", "RunFolder", "RunRecord", "build_evaluation", "copy_answers"]
 
@@ -276,16 +275,12 @@ def _drawn_before(out: Path, benchmark: Benchmark) -> list[BenchmarkItem]:
         return []
     before = RunFolder(out)
     plan = before.record.benchmarks.get(benchmark.name)
-    same = plan is not None and plan.settings == _settings(benchmark) and before.record.versions == _versions()
+    same = plan is not None and plan.settings == _settings(benchmark) and before.record.versions == shaping_versions()
     return before.items(benchmark.name) if same else []
 
 
 def _settings(benchmark: Benchmark) -> dict[str, JsonValue]:
     return json.loads(benchmark.model_dump_json())
-
-
-def _versions() -> dict[str, str]:
-    return {name: version(name) for name in SHAPING}
 
 
 def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]) -> RunRecord:
@@ -294,7 +289,7 @@ def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]
         policies={policy.name: _plan(policy) for policy in evaluation.policies},
         benchmarks={each.name: _benchmark(evaluation, each, [*items[each.name]]) for each in evaluation.benchmarks},
         judge=None if evaluation.judge is None else _plan(evaluation.judge),
-        versions=_versions(),
+        versions=shaping_versions(),
     )
 
 
