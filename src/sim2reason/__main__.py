@@ -1,9 +1,11 @@
 """``python -m sim2reason``, like the command ``sim2reason``, is the command line."""
 
+import gc
 import os
 import signal
 
 INTERRUPTED = b"sim2reason: interrupted\n"
+GC_THRESHOLD = 100_000  # new objects after which the garbage collector runs: imports make many, and no garbage
 
 
 def main() -> None:
@@ -11,6 +13,7 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as SIGINT is in the background
             signal.signal(number, _leave)
+    gc.set_threshold(GC_THRESHOLD)
     from sim2reason.cli import main as commands  # noqa: PLC0415 - it takes a tenth of a second
 
     commands(prog_name="sim2reason")

@@ -17,6 +17,7 @@ from sim2reason.base.atomic_files import (
 )
 from sim2reason.datasets import card, shard_files
 from sim2reason.datasets.card_content import (
+    MIN_PICTURED_ITEMS,
     HistogramCounts,
     choose_examples,
     count_histograms,
@@ -78,8 +79,10 @@ def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
     out, config = journal.out, journal.plan.config
     shards = (read_shard(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)
-    shown = [example(item, config) for item in choose_examples(shard_files.items(out, first) if first else ())]
-    pictures = put_pictures(out, journal.folder, manifest.histograms, shown)
+    pictured = manifest.rows >= MIN_PICTURED_ITEMS
+    chosen = choose_examples(shard_files.items(out, first) if first else ())
+    shown = [example(item, config, pictured=pictured) for item in chosen]
+    pictures = put_pictures(out, journal.folder, manifest.histograms, shown) if pictured else ()
     manifest = manifest.model_copy(update={"pictures": plotting_version() if pictures else ""})
     put_text(out / CARD, card.text(manifest, shown, pictures), journal.folder)
     files = {name: checksum(out / name) for name in sorted([CARD, SHARDS, *pictures])}

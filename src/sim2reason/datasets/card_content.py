@@ -15,6 +15,7 @@ from sim2reason.figures.plot import Histogram, png
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES, NEEDS
+from sim2reason.text.prose.description import Description
 
 WORDS, MOST_WORDS = 10, 500  # per bin, and from which on all are in the last bin
 HistogramCounts = dict[str, dict[str, int]]
@@ -127,10 +128,14 @@ def choose_examples(items: Iterable[Item]) -> list[Item]:
     return chosen
 
 
-def example(item: Item, config: Config) -> Example:
-    """Return an item with its solution and a figure that uses the names of the prompt."""
+MIN_PICTURED_ITEMS = 5
+"""The least number of problems of a dataset with pictures, which take longer to draw than few problems to make."""
+
+
+def example(item: Item, config: Config, *, pictured: bool) -> Example:
+    """Return an item with its solution and, if `pictured`, a figure that uses the names of the prompt."""
     try:
-        solution, picture = _made_again(item) if config.maker == MAKER else ("", None)
+        solution, picture = _made_again(item, pictured=pictured) if config.maker == MAKER else ("", None)
     except Sim2ReasonError as error:  # a version that fits, but a scene that can't be told or drawn
         solution, picture = f"None: {error}", None
     if item.solution is not None:
@@ -138,9 +143,8 @@ def example(item: Item, config: Config) -> Example:
     return Example(item, solution or item.unsolved or "This dataset has none.", picture)
 
 
-def _made_again(item: Item) -> tuple[str, bytes | None]:
+def _made_again(item: Item, *, pictured: bool) -> tuple[str, bytes | None]:
     """Return the worked solution and figure of an item after regenerating it, since items do not store them."""
-    from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
     from sim2reason.generation.certified import solution_record, worked_solution  # noqa: PLC0415 - the same
     from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
 
@@ -151,14 +155,21 @@ def _made_again(item: Item) -> tuple[str, bytes | None]:
     solution, unsolved = (
         solution_record(worked_solution(request, certified)) if item.solution is None else (item.solution, "")
     )
+    text = solution.text if solution is not None else f"None: {unsolved}."
+    return text, _picture(certified.description) if pictured else None
+
+
+def _picture(description: Description) -> bytes | None:
+    """Return a PNG of a scene; None without a plotting package."""
+    from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
+
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FigureWarning)
-        drawn = drawing.drawing(certified.description.scene, certified.description)
+        drawn = drawing.drawing(description.scene, description)
     try:
-        picture = canvas.png(drawn)
+        return canvas.png(drawn)
     except MissingExtraError:
-        picture = None
-    return solution.text if solution is not None else f"None: {unsolved}.", picture
+        return None
 
 
 FIGURES = "figures"
