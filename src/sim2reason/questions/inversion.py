@@ -23,6 +23,7 @@ MAX_EXTREMA = 4  # greatest number of extrema of the answer that are examined
 GOLDEN_RATIO = (5.0**0.5 - 1.0) / 2.0
 GOLDEN_SECTION_STEPS = 60  # of golden-section search
 TOUCHED, ZERO = 1e-9, 1e-7  # relative: how closely an extremum is found, and what is no distance from it
+NEIGHBOR_STEP = 1e-3  # relative: distance of a number from a root at which an answer is no longer the given one
 SPARSE_STRIDE = 4  # only every fourth point of a range is tried with simulations of long duration
 
 
@@ -47,6 +48,13 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
         return roots or _approached(dependence, range_of(scene, path), beyond_range(scene, path), given)
 
     return study.memoize(("values giving", query, given, unknown.path), looked_for)
+
+
+def is_one_of_a_range(root: float, query: Query, given: float, unknown: Unknown, study: SimulatedScene) -> bool:
+    """Return whether all numbers on one side of a root have the given answer, too, as friction that suffices has."""
+    dependence = AnswerFunction(query, study, unknown.path, EXACT_STEP_ERROR, lengthen_strings(study.scene))
+    beside = (dependence(root * (1.0 + step)) for step in (NEIGHBOR_STEP, -NEIGHBOR_STEP))
+    return any(answer is not None and abs(answer - given) <= TOUCHED * abs(given) for answer in beside)
 
 
 def _approached(

@@ -6,7 +6,7 @@ from functools import partial
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene, simulate_until_answer
-from sim2reason.questions.inversion import values_giving, why_not_one
+from sim2reason.questions.inversion import is_one_of_a_range, values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import build_comparison
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
@@ -83,6 +83,8 @@ class PosedQuestion:
         if self.end and values:
             values = [values[0 if self.end == LEAST else -1]]
         reason = why_not_one(self.unknown, values, motion.study.scene)
+        if not reason and is_one_of_a_range(values[0], self.query, self.given, self.unknown, motion.study):
+            reason = f"a whole range of values of {self.unknown.symbol} does"
         return SimulatedAnswer(motion.study, None if reason else values[0], reason)
 
     def _compared(self, motion: FollowedMotion) -> SimulatedAnswer:

@@ -147,6 +147,7 @@ def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, ans
             "not clear what follows",
         ),
         ("two_springs", "What initial speed of A would make spring 2 be compressed by 0.25 m at most?", "no longer"),
+        ("hung_load", "What coefficient of friction would make the tension be B's weight?", "a whole range"),
     ],
 )
 def test_why_a_number_is_not_found_is_said(name: str, question: str, told: str) -> None:

@@ -15,7 +15,7 @@ from sim2reason.questions.ordinary.hearing import ALL_WORD, TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, UnderstoodQuestion
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, read_conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, split_number_question
-from sim2reason.questions.ordinary.whatif.numbers import is_zero, paths_of
+from sim2reason.questions.ordinary.whatif.numbers import check_single, is_zero, paths_of
 from sim2reason.questions.ordinary.whatif.outcomes import (
     CIRCULAR_SPEED,
     by_outcome,
@@ -177,9 +177,7 @@ def _by_result(
         here = path, question_sentence, condition._replace(stated=stated), motion, words, reader
         leading = [value for value in values if _leads(value, *here)]
         leading = _with_taut_strings(leading, question, path, motion)
-        if len(leading) > 1:
-            several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
-            raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
+        check_single(leading, question, unknown, motion)
         if len(every) > 1 and leading:
             end = LEAST if leading[0] == every[0] else GREATEST if leading[0] == every[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)

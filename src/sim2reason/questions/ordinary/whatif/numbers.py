@@ -8,10 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sim2reason.errors import TextError
+from sim2reason.questions.following import FollowedMotion
+from sim2reason.questions.inversion import is_one_of_a_range
 from sim2reason.questions.ordinary.hearing import ALL_WORD
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
+from sim2reason.questions.posing import PosedQuestion
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.unknown import derived_numbers, with_number
+from sim2reason.questions.unknown import Unknown, derived_numbers, with_number
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
@@ -274,3 +278,12 @@ def _roughens(study: SimulatedScene, path: str, value: float) -> set[str]:
     """Return the names of the bodies whose friction changes with a number."""
     faces = with_number(study.scene, path, value * EFFECT_FACTOR).mechanism.contacts
     return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}
+
+
+def check_single(values: Sequence[float], asked: PosedQuestion, unknown: Unknown, motion: FollowedMotion) -> None:
+    """Raise TextError if several values, or all those of a range, have the stated answer."""
+    if len(values) > 1:
+        several = ", ".join(f"{value:.6g} {unknown.unit}" for value in values)
+        raise TextError("question", f"several values do: {several}", "ask for the least, or for the greatest")
+    if values and is_one_of_a_range(values[0], asked.query, asked.given, unknown, motion.study):
+        raise TextError("question", "a whole range of values does", "ask what something needs, such as to stay at rest")
