@@ -110,6 +110,7 @@ class Inversion:
             if len(names) == 1 and not isinstance(formula, ImplicitRoot):
                 solution = self._inverted(names[0], formula, value)
                 if not isinstance(solution, NumericRoot) or names[0] == self.unknown:
+                    book.check_need(solution)  # before the search for other roots, which costs more
                     others = self._others(names[0], formula, value)
                     behind = self._equation_behind(names[0], solution, formula, value)
                     self._close(names[0], solution, at, others, [*([behind] if behind else []), (value, formula)])
@@ -227,6 +228,7 @@ class Inversion:
         near = book.values[self.unknown]
         closed = closed_root(chain, Symbol(at), self.unknown, book.values)
         root = closed or NumericRoot(sum_terms(chain, -Symbol(at)), self.unknown, near)
+        book.check_need(root)
         book.condition_number = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.begin_step(SOLVE_KIND)
