@@ -9,18 +9,34 @@ T = TypeVar("T")
 
 
 @dataclass_transform(frozen_default=True)
-def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[T]]:
+def record(*, slots: bool = False, eq: bool = True, hashed_once: bool = False) -> Callable[[type[T]], type[T]]:
     """Return a decorator for data classes that type checkers treat as frozen, with a hash of their fields.
 
     A frozen data class assigns each field through `object.__setattr__`, which makes creation three times slower. At run
-    time nothing prevents an assignment.
+    time nothing prevents an assignment. With `hashed_once`, each object keeps its hash in the attribute `_hash`.
     """
 
     def decorated(cls: type[T]) -> type[T]:
         hashed = eq and "__hash__" not in vars(cls)
-        return dataclass(cls, slots=slots, eq=eq, unsafe_hash=hashed)
+        made = dataclass(cls, slots=slots, eq=eq, unsafe_hash=hashed)
+        if hashed and hashed_once:
+            made.__hash__ = _kept_hash(made.__hash__)
+        return made
 
     return decorated
+
+
+def _kept_hash(compute: Callable[[Any], int]) -> Callable[[Any], int]:
+    """Return a hash method that computes the hash of an object once."""
+
+    def kept(self: Any) -> int:
+        try:
+            return self._hash
+        except AttributeError:
+            self._hash = result = compute(self)
+            return result
+
+    return kept
 
 
 def abridge(text: str, width: int = 60) -> str:

@@ -2,7 +2,6 @@
 
 import cmath
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import pi
 
@@ -24,8 +23,10 @@ MEANS_ATOL = 1e-17  # difference of the two means at which the iteration ends
 class SpecialFunction(Expression):
     """A non-elementary function, whose values are computed numerically or taken from tables."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
+
+@record(slots=True, hashed_once=True)
 class CompleteElliptic(SpecialFunction):
     """The complete elliptic integral of the first kind, K(k), of a modulus k between 0 and 1."""
 
@@ -45,12 +46,12 @@ class CompleteElliptic(SpecialFunction):
         """Return π/(2 a), where a is the arithmetic-geometric mean of 1 and √(1 − k²)."""
         return _real_if(0.5 * pi / _means(self.modulus.value(at, digits))[-1][0])
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return K(k) in LaTeX."""
         return rf"\operatorname{{K}}\left({self.modulus.latex()}\right)"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True, hashed_once=True)
 class _ModulusFunction(SpecialFunction):
     """A function of an argument and a modulus k between 0 and 1."""
 
@@ -68,7 +69,7 @@ class _ModulusFunction(SpecialFunction):
         return type(self)(argument, modulus)
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True, hashed_once=True)
 class IncompleteElliptic(_ModulusFunction):
     """The incomplete elliptic integral of the first kind, F(θ, k), of an angle θ in radians."""
 
@@ -80,12 +81,12 @@ class IncompleteElliptic(_ModulusFunction):
             angle += cmath.atan(b / a * cmath.tan(angle)) + pi * round(angle.real / pi)
         return _real_if(angle / (2.0 ** (len(means) - 1) * means[-1][0]))
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return F(θ, k) in LaTeX."""
         return rf"\operatorname{{F}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True, hashed_once=True)
 class Amplitude(_ModulusFunction):
     """Jacobi's amplitude am(u, k), in radians: the angle whose incomplete elliptic integral of the first kind is u."""
 
@@ -97,7 +98,7 @@ class Amplitude(_ModulusFunction):
             angle = 0.5 * (angle + cmath.asin(0.5 * (a - b) / mean * cmath.sin(angle)))
         return _real_if(angle)
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return am(u, k) in LaTeX."""
         return rf"\operatorname{{am}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
 
@@ -125,7 +126,7 @@ ROUNDED_RESULT_RTOL = 5e-5  # relative: largest error of a result computed from 
 COMPLEX_STEP = 1e-30  # imaginary step of the complex-step derivative
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class NumericFormula(Expression):
     """A formula that is written as its numerical value, as in *34.800 a*; with guard digits no value ends in 0."""
 
@@ -138,7 +139,7 @@ class NumericFormula(Expression):
         result = self.inner.value(at, digits)
         return result if digits is None or isinstance(result, complex) else round_to_digits(result, digits)
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the number in LaTeX."""
         return with_guard_digits(self.comes_to) if self.guarded else rounded_latex(self.comes_to)
 
@@ -156,7 +157,7 @@ class NumericFormula(Expression):
         return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class NumericRoot(Expression):
     """The root of an equation in one unknown, found by Newton's method near a known value and written as a number."""
 
@@ -179,7 +180,7 @@ class NumericRoot(Expression):
         """Return the derivative of the formula with respect to the unknown."""
         return complex(self.residual.value({**at, self.name: root + COMPLEX_STEP * 1j})).imag / COMPLEX_STEP
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the number in LaTeX."""
         return rounded_latex(self.near)
 
@@ -188,7 +189,7 @@ class NumericRoot(Expression):
         return (name for name in self.residual.symbols() if name != self.name)
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class ClosedRoot(NumericRoot):
     """The root of an equation that has a closed form once all other symbols have numerical values.
 
@@ -200,11 +201,11 @@ class ClosedRoot(NumericRoot):
     closed: Expression
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class ImplicitRoot(NumericRoot):
     """A root that depends on unknowns: its equation is stated, but no number."""
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the name of the unknown."""
         return self.name
 
@@ -215,7 +216,7 @@ class QuadraticRoot(ImplicitRoot):
     __slots__ = ()
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Chain(Expression):
     """A sequence of named formulas, each of earlier names; its value is that of the last. It has no LaTeX itself."""
 
@@ -228,7 +229,7 @@ class Chain(Expression):
             known[name] = formula.value(known, digits)
         return known[self.formulas[-1][0]]
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the name of the last formula."""
         return self.formulas[-1][0]
 

@@ -2,9 +2,11 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
 from fractions import Fraction
 from functools import lru_cache
 from math import prod
+from typing import Any, cast
 
 from sim2reason.base.records import record
 
@@ -73,9 +75,16 @@ class Expression:
     """A symbolic formula. Symbols are named by their LaTeX.
 
     It is no ABC, since `isinstance` is several times slower for an ABC, and formulas are often matched by class.
+    Formulas are deep and immutable, and their hash and LaTeX are read often: each object computes them once.
     """
 
-    __slots__ = ()
+    __slots__ = ("_hash", "_latex")
+    _hash: int
+    _latex: str
+
+    def __reduce__(self) -> "tuple[type[Expression], tuple[object, ...]]":
+        """Return the class and the fields for pickling, without the hash, which differs between processes."""
+        return type(self), tuple(getattr(self, each.name) for each in fields(cast("Any", self)))
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Evaluate the formula for given values of its symbols; with `digits`, intermediate results are rounded."""
@@ -83,6 +92,14 @@ class Expression:
 
     def latex(self) -> str:
         """Return the LaTeX without dollar signs."""
+        try:
+            return self._latex
+        except AttributeError:
+            self._latex = text = self._written()
+            return text
+
+    def _written(self) -> str:
+        """Return the LaTeX without dollar signs, not cached."""
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
@@ -168,6 +185,10 @@ class Number(Expression):
 
     x: float
 
+    def __hash__(self) -> int:
+        """Return the hash of the number."""
+        return hash(self.x)
+
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the number."""
         del at, digits
@@ -207,7 +228,7 @@ class Symbol(Expression):
         yield self.name
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Sum(Expression):
     """A sum of terms."""
 
@@ -226,7 +247,7 @@ class Sum(Expression):
         """Return the sum of the values."""
         return sum((term.value(at, digits) for term in self.terms), 0.0)
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the terms joined by signs, with a positive term first if there is one."""
         parts = sorted((term.latex() for term in self.terms), key=lambda part: part.startswith("-"))
         return parts[0] + "".join(f" - {part[1:]}" if part.startswith("-") else f" + {part}" for part in parts[1:])
@@ -237,7 +258,7 @@ class Sum(Expression):
         return 0
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Product(Expression):
     """A product of factors."""
 
@@ -256,7 +277,7 @@ class Product(Expression):
         """Return the product of the values."""
         return prod((factor.value(at, digits) for factor in self.factors), start=1.0)
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the factors side by side, with a dot between numbers."""
         first, *rest = self.factors
         if first == MINUS_ONE:
@@ -277,7 +298,7 @@ class Product(Expression):
         return 0 if self.negative else 1
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Quotient(Expression):
     """A quotient, written as a fraction."""
 
@@ -298,7 +319,7 @@ class Quotient(Expression):
         """Return the quotient of the values."""
         return self.above.value(at, digits) / self.below.value(at, digits)
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the fraction, with a minus sign of the numerator in front."""
         above, sign = self.above.latex(), "-" if self.negative else ""
         return rf"{sign}{FRACTION}{above[len(sign) :]}}}{{{self.below.latex()}}}"

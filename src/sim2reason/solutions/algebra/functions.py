@@ -47,7 +47,7 @@ def _applied(name: str, inside: Scalar) -> Scalar:
     return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Power(Expression):
     """An integer power."""
 
@@ -68,7 +68,7 @@ class Power(Expression):
         """Return the power."""
         return self.base.value(at, digits) ** self.exponent
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the power in LaTeX; the exponent of a sine stands before its argument."""
         if isinstance(self.base, Call) and self.base.function != "exp":
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
@@ -79,7 +79,7 @@ class Power(Expression):
         return f"{base}^{{{self.exponent}}}"
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class _UnaryFunction(Expression):
     """A function of one formula."""
 
@@ -96,7 +96,7 @@ class _UnaryFunction(Expression):
         return type(self)(inside)
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Root(_UnaryFunction):
     """A nonnegative square root."""
 
@@ -104,12 +104,12 @@ class Root(_UnaryFunction):
         """Return the square root; ValueError for negative radicands."""
         return _applied("sqrt", self.inside.value(at, digits))
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the root in LaTeX."""
         return rf"\sqrt{{{self.inside.latex()}}}"
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Call(Expression):
     """An elementary function of an angle in radians or of a ratio."""
 
@@ -130,7 +130,7 @@ class Call(Expression):
         """Return the value of the function."""
         return _applied("log" if self.function == "ln" else self.function, self.argument.value(at, digits))
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the function in LaTeX; a symbol as its argument has no parentheses."""
         inside = self.argument.latex()
         if isinstance(self.argument, Symbol):
@@ -138,7 +138,7 @@ class Call(Expression):
         return rf"\{self.function}\left({inside}\right)"
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Absolute(_UnaryFunction):
     """An absolute value."""
 
@@ -149,12 +149,12 @@ class Absolute(_UnaryFunction):
             return np.abs(inside)
         return -inside if inside.real < 0.0 else inside
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the formula between bars."""
         return rf"\left|{self.inside.latex()}\right|"
 
 
-@record(slots=True)
+@record(slots=True, hashed_once=True)
 class Pi(Expression):
     """The number π."""
 
@@ -163,7 +163,7 @@ class Pi(Expression):
         del at, digits
         return math.pi
 
-    def latex(self) -> str:
+    def _written(self) -> str:
         """Return the LaTeX of π."""
         return r"\pi"
 
