@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from functools import reduce
+from functools import lru_cache, reduce
 from math import lcm, sqrt
 from operator import is_
 
@@ -286,8 +286,9 @@ REPEATED_SYMBOL_PATTERN = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
 """Matches the LaTeX of products in which a symbol stands twice."""
 
 
+@lru_cache(maxsize=4096)
 def plain_latex(expression: Expression) -> str:
-    """Return the LaTeX of a formula after simplification of its signs and fractions."""
+    """Return the LaTeX of a formula after simplification of its signs and fractions, cached for repeated formulas."""
     latex = expression.latex()
     if SIGN_PATTERN.search(latex):
         latex = (expression := with_plain_signs(expression)).latex()

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Collection, Iterable, Mapping
+from functools import lru_cache
 from itertools import product
 from typing import Self
 
@@ -213,16 +214,23 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
 
 def atom_sort_key(part: tuple[Expression, int]) -> tuple[int, str]:
     """Return the sort key of an atom in a product: µ, masses, others, g, unknowns, roots, functions."""
-    name = part[0].latex()
-    if isinstance(part[0], Root):
-        return 8, name
-    if isinstance(part[0], Call):
-        return 9, name
+    atom = part[0]
+    if isinstance(atom, Root):
+        return 8, atom.latex()
+    if isinstance(atom, Call):
+        return 9, atom.latex()
+    return _letter_sort_key(atom.latex())
+
+
+@lru_cache(maxsize=1024)
+def _letter_sort_key(name: str) -> tuple[int, str]:
+    """Return the sort key of an atom that is neither a root nor a function."""
     return LETTER_RANKS.get(name.partition("_")[0], 2), name
 
 
+@lru_cache(maxsize=8192)
 def _joined(one: Monomial, two: Monomial) -> Monomial:
-    """Return the product of two monomials."""
+    """Return the product of two monomials, cached because laws multiply the same ones for each unknown."""
     if not one or not two:
         return one or two
     powers: dict[Expression, int] = dict(one)
@@ -239,6 +247,8 @@ def _holds(monomial: Monomial, names: Collection[str]) -> bool:
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Remove terms that cancel, and replace sin² + cos² by 1."""
     kept = _without_nothing(terms)
+    if len(kept) < 2:
+        return kept
     waiting = [monomial for monomial in kept if _squared_sine(monomial) is not None][::-1]
     if not waiting:
         return kept
