@@ -245,7 +245,7 @@ class Sum(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the sum of the values."""
-        return sum((term.value(at, digits) for term in self.terms), 0.0)
+        return sum([term.value(at, digits) for term in self.terms], 0.0)  # a generator would take longer
 
     def _written(self) -> str:
         """Return the terms joined by signs, with a positive term first if there is one."""
@@ -275,7 +275,7 @@ class Product(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the product of the values."""
-        return prod((factor.value(at, digits) for factor in self.factors), start=1.0)
+        return prod([factor.value(at, digits) for factor in self.factors], start=1.0)
 
     def _written(self) -> str:
         """Return the factors side by side, with a dot between numbers."""

@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache, reduce
+from functools import cache, lru_cache, reduce
 from typing import Literal, cast
 
 import numpy as np
@@ -296,8 +296,9 @@ LEAVES = frozenset[type[Expression]]({Number, Symbol, Pi})
 DIRECT = frozenset[Function]({"sin", "cos", "tan"})  # functions of known angles; all other functions are inverse ones
 
 
+@lru_cache(maxsize=4096)
 def need_of(expression: Expression) -> Need:
-    """Return the most advanced mathematics that the evaluation of an expression needs."""
+    """Return the most advanced mathematics that the evaluation of an expression needs, cached for repeated formulas."""
     cls = type(expression)
     if cls in LEAVES:
         return Need.ARITHMETIC

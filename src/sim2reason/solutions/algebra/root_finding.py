@@ -21,6 +21,7 @@ from sim2reason.solutions.algebra.expressions import (
     sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
+from sim2reason.solutions.algebra.known_values import with_known_values
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.writing.notation import DEGREES
@@ -227,9 +228,15 @@ def values_with(chain: Chain, target: float, unknown: str, book: SolutionBuilder
     The search covers values with the sign of the known value; angles up to 90°, coefficients of restitution up to 1.
     """
 
+    try:
+        plain = with_known_values(chain, book.values, unknown)
+    except (ValueError, ArithmeticError):  # then the chain has no value anywhere
+        return []
+    left = {name: book.values[name] for name in plain.symbols()}
+
     def off(value: float) -> float:
         try:
-            reached = chain.value({**book.values, unknown: value})
+            reached = plain.value({**left, unknown: value})
         except (ValueError, ArithmeticError):
             return float("nan")
         return reached - target if isinstance(reached, float) else float("nan")
