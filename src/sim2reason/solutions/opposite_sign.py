@@ -59,7 +59,7 @@ def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, 
     """Return why a formula has no real value, in words; empty if this is obvious; None if the formula has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
-            if goal not in part.symbols():
+            if goal not in part.names:
                 continue
             if book.value(part.inside) >= 0.0:
                 return None  # of either sign
@@ -104,7 +104,7 @@ def _of_either_sign(goal: str, formula: Expression) -> list[Expression]:
     Raises:
         UnsolvedError: several square roots contain the goal.
     """
-    roots = (part for part in _inner_first(formula) if isinstance(part, Root) and goal in part.symbols())
+    roots = (part for part in _inner_first(formula) if isinstance(part, Root) and goal in part.names)
     distinct_roots = list(dict.fromkeys(roots))
     if len(distinct_roots) > 1:
         raise UnsolvedError("several roots have more than two branches")

@@ -177,7 +177,7 @@ class OtherRoots:
     def _assumed(self, name: str) -> Iterator[Sides]:
         """Yield both sides of each inequality in the steps that contains a name and otherwise only known names."""
         for relation in (relation for step in self.book.steps for relation in step.relations):
-            names = {*relation.symbols()}
+            names = relation.names
             if relation.role == "exceeds" and name in names and self.book.hidden.isdisjoint(names - {name}):
                 yield relation.left, relation.right
 
@@ -189,7 +189,7 @@ class OtherRoots:
         number = self._number(name, other)
         if other < 0.0 < known and name == self.unknown:
             self._say_negative(step, other)
-        elif any(isinstance(part, Root) and name in part.symbols() for side in plain for part in _parts(side)):
+        elif any(isinstance(part, Root) and name in part.names for side in plain for part in _parts(side)):
             size = ANSWER_RTOL * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
             try:
                 gap = Absolute(substitute(plain[0], name, Number(other)) - substitute(plain[1], name, Number(other)))

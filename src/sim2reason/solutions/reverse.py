@@ -265,7 +265,7 @@ class Inversion:
         """Return the unknown names on which a name depends, each after those on which it depends itself."""
         formulas, waiting, dependencies = self.book.formulas, [at], set[str]()
         while waiting:
-            more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - dependencies
+            more = self._formula(waiting.pop()).names & (self.book.hidden & formulas.keys()) - dependencies
             dependencies |= more
             waiting += more
         return [name for name in formulas if name in dependencies]

@@ -49,6 +49,11 @@ class Relation:
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the names in both sides of the relation."""
+        return self.left.names | self.right.names
+
     def symbols(self) -> Iterator[str]:
         """Yield each name in both sides of the relation, some names more than once."""
         yield from self.left.symbols()

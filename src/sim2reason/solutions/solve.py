@@ -182,7 +182,7 @@ def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
     hung = {*book.formulas, book.sought}
     for step in book.steps:
         worked = [part for r in step.relations for side in (r.left, r.right) for part in numeric_parts(side)]
-        if step.kind != SOLVE_KIND and any(not hung.isdisjoint(part.symbols()) for part in worked):
+        if step.kind != SOLVE_KIND and any(not hung.isdisjoint(part.names) for part in worked):
             raise UnsolvedError("it would need numbers that are not known")
     return symbol
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.algebra.closed_roots import fraction, roots
+from sim2reason.solutions.algebra.closed_roots import roots
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -33,7 +33,7 @@ def test_a_factor_that_all_terms_share_is_cancelled() -> None:
     sides = stated_equation("x", held, Power(A, 2) * W, Polynomial.factored)
     assert sides is not None
     assert [side.latex() for side in sides] == ["w x^{2} + t x", "w a"]
-    found = [root.latex() for root in roots("x", fraction(held - Power(A, 2) * W).above)]
+    found = [root.latex() for root in roots("x", held, Power(A, 2) * W)]
     assert found[0] == r"\frac{\sqrt{t^{2} + 4\,w^{2} a} - t}{2\,w}"
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import add, mul
 
 from sim2reason.solutions.algebra.evaluated import NumericFormula
@@ -31,21 +31,34 @@ MAX_SQUARE_ROOTS = 2  # different square roots with the symbol in one equation, 
 CoefficientWriter = Callable[[Polynomial], Expression]
 
 
-def roots(name: str, zero: Polynomial, written: CoefficientWriter = Polynomial.factored) -> Iterator[Expression]:
-    """Yield closed forms of a symbol that may solve zero = 0, a polynomial of it and its sines, cosines and roots.
+def roots(
+    name: str, formula: Expression, value: Expression, written: CoefficientWriter = Polynomial.factored
+) -> Iterator[Expression]:
+    """Yield closed forms of a symbol that may solve formula = value, of it and its sines, cosines and square roots.
 
     Squaring may add extraneous roots. `written` converts coefficients to formulas.
     """
-    try:
-        rational = without_radicals(zero, name)
-    except OverflowError:
+    rational = polynomial_equation(name, formula, value)
+    if rational is None:
         return
-    atoms = {atom for monomial in rational.terms for atom, _ in monomial if name in atom.symbols()}
+    atoms = {atom for monomial in rational.terms for atom, _ in monomial if name in atom.names}
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
     if atoms == {symbol}:
         yield from _powers(rational, symbol, written)
     elif atoms <= {sine, cosine}:
         yield from _angles(rational, sine, cosine, written)
+
+
+@lru_cache(maxsize=256)
+def polynomial_equation(name: str, formula: Expression, value: Expression) -> Polynomial | None:
+    """Return the polynomial, without square roots of a symbol, that is zero where formula = value; None if too long.
+
+    It is cached because the same equation is solved, stated and searched for other roots.
+    """
+    try:
+        return without_radicals((fraction(formula) + fraction(-value)).above, name)
+    except OverflowError:
+        return None
 
 
 @dataclass(frozen=True)
@@ -74,8 +87,9 @@ class PolynomialFraction:
         )
 
 
+@lru_cache(maxsize=2048)
 def fraction(expression: Expression) -> PolynomialFraction:
-    """Convert a formula to a single fraction; OverflowError if it has too many terms."""
+    """Convert a formula to a single fraction, cached for repeated parts; OverflowError if it has too many terms."""
     match expression:
         case Number():
             return PolynomialFraction(Polynomial.from_expression(expression.x))
@@ -126,12 +140,12 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
     Raises:
         OverflowError: the equation has too many roots or terms to be solved for the symbol.
     """
-    radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.symbols()}
+    radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.names}
     if len(radicals) > MAX_SQUARE_ROOTS or (len(radicals) > 1 and len(zero.terms) > MAX_TERMS_WITH_ROOTS):
         raise OverflowError("an equation of too many roots")
     for _ in range(MAX_SQUARE_ROOTS + 1):
         candidates = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
-        root = next((atom for atom in candidates if name in atom.symbols()), None)
+        root = next((atom for atom in candidates if name in atom.names), None)
         if root is None:
             return zero
         inside = fraction(root.inside)
@@ -282,7 +296,7 @@ def power_of(atom: Expression, power: int) -> Expression:
 def expand_numbers(expression: Expression, name: str) -> Expression:
     """Replace rounded numbers whose formulas contain a symbol by those formulas."""
     if isinstance(expression, NumericFormula):
-        return expand_numbers(expression.inner, name) if name in expression.symbols() else expression
-    if name not in expression.symbols() or not expression.parts:
+        return expand_numbers(expression.inner, name) if name in expression.names else expression
+    if name not in expression.names or not expression.parts:
         return expression
     return expression.built_of([expand_numbers(part, name) for part in expression.parts])

@@ -75,12 +75,13 @@ class Expression:
     """A symbolic formula. Symbols are named by their LaTeX.
 
     It is no ABC, since `isinstance` is several times slower for an ABC, and formulas are often matched by class.
-    Formulas are deep and immutable, and their hash and LaTeX are read often: each object computes them once.
+    Formulas are deep and immutable, and their hash, LaTeX and names are read often: each object computes them once.
     """
 
-    __slots__ = ("_hash", "_latex")
+    __slots__ = ("_hash", "_latex", "_names")
     _hash: int
     _latex: str
+    _names: frozenset[str]
 
     def __reduce__(self) -> "tuple[type[Expression], tuple[object, ...]]":
         """Return the class and the fields for pickling, without the hash, which differs between processes."""
@@ -113,6 +114,15 @@ class Expression:
                 waiting += part.parts[::-1]
             else:
                 yield from part.symbols()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the names of the symbols."""
+        try:
+            return self._names
+        except AttributeError:
+            self._names = names = frozenset(self.symbols())
+            return names
 
     @property
     def parts(self) -> "tuple[Expression, ...]":

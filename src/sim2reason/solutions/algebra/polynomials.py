@@ -129,7 +129,7 @@ class Polynomial:
 
     def names(self) -> set[str]:
         """Return the names of all symbols, also those in arguments of functions."""
-        return {name for monomial in self.terms for atom, _ in monomial for name in atom.symbols()}
+        return {name for monomial in self.terms for atom, _ in monomial for name in atom.names}
 
     def value(self, at: Values) -> float:
         """Evaluate the polynomial directly; its value equals that of `expression` to the last digit."""

@@ -6,7 +6,7 @@ from math import isfinite, pi
 
 import numpy as np
 
-from sim2reason.solutions.algebra.closed_roots import CoefficientWriter, expand_numbers, fraction, roots
+from sim2reason.solutions.algebra.closed_roots import CoefficientWriter, expand_numbers, roots
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericFormula, NumericRoot, numeric_parts
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
@@ -80,7 +80,7 @@ def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[
 
 def substitute(expression: Expression, name: str, formula: Expression) -> Expression:
     """Substitute a formula for a symbol."""
-    if name not in expression.symbols():
+    if name not in expression.names:
         return expression
     if isinstance(expression, Symbol):
         return formula
@@ -171,12 +171,12 @@ def _branches(name: str, formula: Expression, value: Expression, written: Coeffi
     if formula == Symbol(name):
         yield value
         return
-    inside = [part for part in formula.parts if name in part.symbols()]
+    inside = [part for part in formula.parts if name in part.names]
     if len(inside) == 1:
         for rest in _undone(formula, inside[0], value):
             yield from _branches(name, inside[0], rest, written)
     else:
-        yield from _roots(name, formula, value, written)
+        yield from roots(name, formula, value, written)
 
 
 def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
@@ -200,15 +200,6 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
             yield Call(INVERSE_FUNCTIONS[formula.function], value)
         case _:
             return
-
-
-def _roots(name: str, formula: Expression, value: Expression, written: CoefficientWriter) -> Iterator[Expression]:
-    """Yield the closed-form solutions for a symbol that occurs several times in an equation."""
-    try:
-        zero = fraction(formula) + fraction(-value)
-    except OverflowError:
-        return
-    yield from roots(name, zero.above, written)
 
 
 SEARCH_POINTS = 801  # samples of the range of an unknown
@@ -305,6 +296,6 @@ def roots_sentence(book: SolutionBuilder, step: StepBuilder, roots: Sequence[Nam
     """Return a sentence with the numerical roots of several formulas; empty if they depend on the unknown."""
     equations, hidden = list[str](), False
     for name, residual, near in roots:
-        hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
+        hidden = hidden or not book.hidden.isdisjoint(residual.names)
         equations.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
     return "" if hidden else f"{text} {join_words(equations)}."

@@ -15,8 +15,8 @@ from sim2reason.solutions.algebra.closed_roots import (
     coefficient,
     expand_numbers,
     fraction,
+    polynomial_equation,
     power_of,
-    without_radicals,
 )
 from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot
 from sim2reason.solutions.algebra.expressions import (
@@ -47,9 +47,8 @@ def stated_equation(
 
     In the first form, x may also be the sine or the cosine of the symbol.
     """
-    try:
-        zero = without_radicals((fraction(expand_numbers(formula, name)) + fraction(-value)).above, name)
-    except OverflowError:
+    zero = polynomial_equation(name, expand_numbers(formula, name), value)
+    if zero is None:
         return None
     zero = divide_by_term(zero, common_monomial([*zero.terms]), 1.0) or zero
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
@@ -61,8 +60,8 @@ def stated_equation(
             rest = rest - part * Polynomial({((atom, power),): 1.0})
         if (
             not all(parts)
-            or name in rest.expression().symbols()
-            or any(name in p.expression().symbols() for p in parts)
+            or name in rest.names()
+            or any(name in p.names() for p in parts)
         ):
             continue
         sign = -1.0 if written(parts[0]).negative else 1.0

@@ -23,7 +23,7 @@ from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi,
 
 def derivative(expression: Expression, name: str) -> Expression:
     """Return the derivative of a formula with respect to a symbol; TypeError for a part without a known rule."""
-    if name not in expression.symbols():
+    if name not in expression.names:
         return ZERO
     match expression:
         case Symbol():
@@ -95,7 +95,7 @@ def limit(expression: Expression, name: str, at: Mapping[str, float], *, large: 
 
 def _leading(expression: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
     """Return coefficient and exponent of a formula's leading term for a symbol going to infinity (`sense` 1) or 0."""
-    if name not in expression.symbols():
+    if name not in expression.names:
         return expression, 0.0
     match expression:
         case Symbol():

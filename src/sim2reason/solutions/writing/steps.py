@@ -133,7 +133,7 @@ class SolutionBuilder(NameAllocator):
 
     def is_hidden(self, held: Expression) -> bool:
         """Return whether the value of a formula may not be written: it is unknown, or the solution is in symbols."""
-        return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
+        return self.in_symbols or not self.hidden.isdisjoint(held.names)
 
     def magnitude(self, formula: Expression) -> Expression:
         """Return a formula if its value is positive, else its negative."""
@@ -180,8 +180,8 @@ class SolutionBuilder(NameAllocator):
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
         worked = (relation for relation in relations if relation.role in ("result", *CHECKS))
-        names = {name for relation in worked for name in relation.symbols()} | {*rests}
-        names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
+        names = {name for relation in worked for name in relation.names} | {*rests}
+        names |= {name for relation in relations if relation.role == "law" and gives for name in relation.names}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
         step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs), self.phase, integration)
         self.steps.append(step)
@@ -229,7 +229,7 @@ class StepBuilder:
         self.relations.append(relation)
         self._book.set_value(name.name, value := self._book.value(formula), unit)
         self._gives.append(name.name)
-        if not self._book.hidden.isdisjoint(formula.symbols()):
+        if not self._book.hidden.isdisjoint(formula.names):
             self._book.hidden.add(name.name)
             self._book.formulas[name.name] = formula
         return relation.latex(None if self._book.is_hidden(formula) else value)
