@@ -293,8 +293,9 @@ def power_of(atom: Expression, power: int) -> Expression:
     return atom if power == 1 else Power(atom, power)
 
 
+@lru_cache(maxsize=4096)
 def expand_numbers(expression: Expression, name: str) -> Expression:
-    """Replace rounded numbers whose formulas contain a symbol by those formulas."""
+    """Replace rounded numbers whose formulas contain a symbol by those formulas, cached for repeated parts."""
     if isinstance(expression, NumericFormula):
         return expand_numbers(expression.inner, name) if name in expression.names else expression
     if name not in expression.names or not expression.parts:

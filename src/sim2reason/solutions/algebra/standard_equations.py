@@ -1,7 +1,7 @@
 """Equations in standard form, and closed-form roots of equations in a single sine or a monotonic function."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import pairwise
 from math import pi
 from operator import mul
@@ -128,8 +128,9 @@ def _subexpressions(held: Expression) -> Iterator[Expression]:
         yield from _subexpressions(part)
 
 
+@lru_cache(maxsize=4096)
 def _without_squared_roots(expression: Expression) -> Expression:
-    """Replace squares of square roots by their radicands."""
+    """Replace squares of square roots by their radicands, cached for repeated parts."""
     if not expression.parts:
         return expression
     expression = expression.built_of([_without_squared_roots(part) for part in expression.parts])
