@@ -1,5 +1,8 @@
 """The main loop of the exact engine: impacts, forces, and motion to the next event, repeated until the end."""
 
+from threading import local
+from typing import NamedTuple
+
 from sim2reason.base.records import cached_property
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -8,8 +11,10 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, stopping_time
+from sim2reason.simulation.engines.exact.lengths import RowKind, SwitchState
+from sim2reason.simulation.engines.exact.linear import ContactMode, Row
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
-from sim2reason.simulation.engines.exact.motion import BEGINS, SIMULTANEITY_TOL, STOPS, Motion
+from sim2reason.simulation.engines.exact.motion import BEGINS, SIMULTANEITY_TOL, STOPS, LogState, Motion, Segment
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
@@ -19,6 +24,7 @@ from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 FLOW = Flow if core is None else NativeFlow
 SEGMENTS = 500  # largest number of motion segments
 SETTLING_OPERATIONS = 5_000  # operations of an event for each coordinate
+RECENT_RUNS = 4  # number of motions of a thread that can be continued
 
 
 @ENGINES.register("exact")
@@ -52,10 +58,15 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = DEFAULT_STE
 
     Raises as `simulate` does.
     """
-    run: _Run | None = None
+    run = _RECENT.take(mechanism, duration)
     try:
-        run = _Run(mechanism, duration, tolerance)
-        return run.finished()
+        if run is None:
+            run = _Run(mechanism, duration, tolerance)
+            found = run.finished(run.step())
+        else:
+            found = run.finished(run.resume(duration, tolerance))
+        _RECENT.keep(run)
+        return found
     except NoForcesError as error:
         rough = ", ".join(name for name, contact in mechanism.contacts.items() if contact.friction > 0.0)
         remedy = f"; friction may be too strong on {rough}" if rough else ""
@@ -72,16 +83,36 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = DEFAULT_STE
         raise
 
 
+class _Resumption(NamedTuple):
+    """A state that does not depend on the duration of the motion: an instant with its forces, before it advances."""
+
+    now: float
+    q: Row
+    v: Row
+    phase: SwitchState
+    kinds: list[RowKind]
+    mode: ContactMode
+    segments: list[Segment]
+    count: int  # of the segments before
+    log: LogState
+    operations: int  # that remain
+    instant: Instant
+    found: Balance
+
+
 class _Run(Settling):
     """A motion under construction: the present state and the segments so far, extended from event to event."""
 
-    def finished(self) -> Motion:
+    _resumption: _Resumption | None = None
+
+    def finished(self, goes_on: bool) -> Motion:  # noqa: FBT001 - what a step returns
         """Return the complete motion; raise SimulationError if it takes too many events or operations."""
-        while self.step():
+        while goes_on:
             self.system.budget.spend(SETTLING_OPERATIONS * (1 + self.system.size))
             if len(self.segments) > SEGMENTS:
                 before = f"{self.duration:g} {self.mechanism.units.time}"
                 raise SimulationError(f"more than {SEGMENTS} events before {before}; simulate a shorter time")
+            goes_on = self.step()
         if not self.segments:  # an impact at the start ended it
             force_balance = self.balance(self.instant(), set(), None)
             self.append(force_balance, None)
@@ -98,7 +129,37 @@ class _Run(Settling):
         force_balance = self.settle(instant, snapped, before.rates)
         if force_balance is None:
             return False
+        if self.steady is not None or not self.segments:  # steps of an integrator depend on the duration
+            self._resumption = self._resumable(instant, force_balance)
         return self._advance(instant, force_balance)
+
+    # -- a longer duration -----------------------------------------------------------------------
+
+    def can_resume(self, duration: float) -> bool:
+        """Return whether the motion can be continued to `duration`, s."""
+        return self._resumption is not None and duration >= self.duration
+
+    def _resumable(self, instant: Instant, found: Balance) -> _Resumption:
+        segments, left = self.segments, self.system.budget.left
+        state = (self.now, self.q, self.v, self.phase, self.kinds, self.mode, segments, len(segments))
+        return _Resumption(*state, self.event_log.state, left, instant, found)
+
+    def resume(self, duration: float, tolerance: float) -> bool:
+        """Take the last step that depended on the duration again, for a longer one; return False at the end.
+
+        The result is that of a new motion of this duration.
+        """
+        past = self._resumption
+        assert past is not None
+        self.duration, self.tolerance = duration, tolerance
+        self.now, self.q, self.v, self.phase, self.kinds, self.mode = past[:6]
+        self.segments = past.segments[: past.count]
+        self.event_log.restore(past.log)
+        self.system.budget.left = past.operations
+        if self.curved is not None:
+            self.curved = self.curved.restarted()
+        self._resumption = past._replace(segments=self.segments)
+        return self._advance(past.instant, past.found)
 
     # -- the next event --------------------------------------------------------------------------
 
@@ -204,3 +265,26 @@ class _Run(Settling):
                 self.event_log.record(
                     self.now + stopping_time(speed, a), "turn", self.mechanism.coordinates[number].name
                 )
+
+
+class _Recent(local):
+    """The latest runs of a thread, which a search for an event continues to longer and longer durations."""
+
+    def __init__(self) -> None:
+        """Start without runs."""
+        self._runs: list[_Run] = []
+
+    def take(self, mechanism: Mechanism, duration: float) -> _Run | None:
+        """Remove and return a run of this very mechanism that can be continued to `duration`, s; None if none can."""
+        for run in self._runs:
+            if run.mechanism is mechanism and run.can_resume(duration):
+                self._runs.remove(run)
+                return run
+        return None
+
+    def keep(self, run: _Run) -> None:
+        """Keep a run in place of the oldest one."""
+        self._runs = [run, *self._runs[: RECENT_RUNS - 1]]
+
+
+_RECENT = _Recent()

@@ -39,6 +39,17 @@ class VariableEquations:
         self.system = system
         self._recorded: dict[SwitchState, _Recorded] = {}
 
+    def restarted(self) -> "VariableEquations":
+        """Return the equations for the same motion from its start; the code of its first contact mode is kept.
+
+        Code of later modes is discarded, because its pivots depend on the instant at which a mode begins.
+        """
+        costs = [cost for recorded in self._recorded.values() for cost in recorded.costs]
+        if len(costs) != 1 or not any(recorded.made for recorded in self._recorded.values()):
+            return VariableEquations(self.system)
+        self.system.budget.spend(costs[0])
+        return self
+
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the numerical equations at one instant."""
         return self.system.instant(time, q, v, phase)
@@ -69,6 +80,7 @@ class _Recorded:
         self.mass = self.assembly.full_mass()
         self.rows = self.assembly.rows(system.starts)
         self.made: dict[ContactMode, Formulas] = {}
+        self.costs: list[int] = []  # operations to generate the code of each mode
 
     def formulas(self, instant: Instant, mode: ContactMode) -> Formulas:
         """Return the code of a contact mode, generated at the given instant if it is new."""
@@ -104,7 +116,8 @@ class _Recorded:
         constraint_values = tape.code(acting)(math) if unknowns.free and acting else None
         passing = self._passing(watched)
         closing = tape.code([*passing.values(), *(watched[index][1] for index in passing)])(math)
-        self.system.budget.spend(OPERATIONS_PER_LINE * len(tape.nodes))
+        self.costs.append(OPERATIONS_PER_LINE * len(tape.nodes))
+        self.system.budget.spend(self.costs[-1])
         names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
         due = tuple(margin for margin, _ in braced)
         write = partial(tape.code, forces)

@@ -31,6 +31,12 @@ STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the eve
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 
+Hits = dict[str, tuple[float, tuple[str, ...]]]
+"""The time and the subjects of the last hit of each body, or jerk of each row."""
+LogState = tuple[list[Event], int, str, Hits]
+"""The list of events and their number, the kind of the last one if it ended the motion, and the last hits."""
+
+
 class EventLog:
     """The events of a motion, the last impact of each body, and the kind of the event that ended the motion."""
 
@@ -39,7 +45,17 @@ class EventLog:
         self._mechanism = mechanism
         self.events: list[Event] = []
         self.cut = ""
-        self._hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body, or jerk of each row
+        self._hits: Hits = {}
+
+    @property
+    def state(self) -> LogState:
+        """Return what `restore` takes to return to the present state."""
+        return self.events, len(self.events), self.cut, self._hits
+
+    def restore(self, state: LogState) -> None:
+        """Return to an earlier state."""
+        events, count, self.cut, self._hits = state
+        self.events = events[:count]
 
     def record(self, time: float, kind: str, *subjects: str) -> None:
         """Record an event unless it is already recorded, since a body may enter several regions at one instant.
@@ -62,7 +78,7 @@ class EventLog:
 
     def record_impact(self, time: float, names: Iterable[str], subjects: tuple[str, ...]) -> None:
         """Store the time and subjects of an impact on the named bodies or rows."""
-        self._hits |= dict.fromkeys(names, (time, subjects))
+        self._hits = self._hits | dict.fromkeys(names, (time, subjects))  # a new one, as `state` has the old one
 
     def previous_impact_time(self, time: float, names: Iterable[str]) -> float | None:
         """End the motion at the previous impact if one of `names` is struck again too soon; return its time, else None.
