@@ -10,6 +10,7 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.flow import Flow
+from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, stopping_time
 from sim2reason.simulation.engines.exact.lengths import RowKind, SwitchState
 from sim2reason.simulation.engines.exact.linear import ContactMode, Row
@@ -24,7 +25,6 @@ from sim2reason.simulation.trace import DEFAULT_STEP_RTOL, ENGINES, Trace
 FLOW = Flow if core is None else NativeFlow
 SEGMENTS = 500  # largest number of motion segments
 SETTLING_OPERATIONS = 5_000  # operations of an event for each coordinate
-RECENT_RUNS = 4  # number of motions of a thread that can be continued
 
 
 @ENGINES.register("exact")
@@ -58,15 +58,14 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = DEFAULT_STE
 
     Raises as `simulate` does.
     """
-    run = _RECENT.take(mechanism, duration)
+    run = _LATEST.take(mechanism, duration)
     try:
         if run is None:
             run = _Run(mechanism, duration, tolerance)
-            found = run.finished(run.step())
-        else:
-            found = run.finished(run.resume(duration, tolerance))
-        _RECENT.keep(run)
-        return found
+            run.motion = run.finished(run.step())
+        elif not run.has_motion(duration, tolerance):
+            run.motion = run.finished(run.resume(duration, tolerance))
+        return _LATEST.keep(run)
     except NoForcesError as error:
         rough = ", ".join(name for name, contact in mechanism.contacts.items() if contact.friction > 0.0)
         remedy = f"; friction may be too strong on {rough}" if rough else ""
@@ -93,7 +92,7 @@ class _Resumption(NamedTuple):
     kinds: list[RowKind]
     mode: ContactMode
     segments: list[Segment]
-    count: int  # of the segments before
+    before: int  # number of segments before
     log: LogState
     operations: int  # that remain
     instant: Instant
@@ -103,6 +102,8 @@ class _Resumption(NamedTuple):
 class _Run(Settling):
     """A motion under construction: the present state and the segments so far, extended from event to event."""
 
+    curved: VariableEquations | None
+    motion: Motion  # the complete one
     _resumption: _Resumption | None = None
 
     def finished(self, goes_on: bool) -> Motion:  # noqa: FBT001 - what a step returns
@@ -139,6 +140,10 @@ class _Run(Settling):
         """Return whether the motion can be continued to `duration`, s."""
         return self._resumption is not None and duration >= self.duration
 
+    def has_motion(self, duration: float, tolerance: float) -> bool:
+        """Return whether the complete motion is that of a duration, s, and a tolerance of the integrator's steps."""
+        return duration == self.duration and (self.curved is None or tolerance == self.tolerance)
+
     def _resumable(self, instant: Instant, found: Balance) -> _Resumption:
         segments, left = self.segments, self.system.budget.left
         state = (self.now, self.q, self.v, self.phase, self.kinds, self.mode, segments, len(segments))
@@ -153,7 +158,7 @@ class _Run(Settling):
         assert past is not None
         self.duration, self.tolerance = duration, tolerance
         self.now, self.q, self.v, self.phase, self.kinds, self.mode = past[:6]
-        self.segments = past.segments[: past.count]
+        self.segments = past.segments[: past.before]
         self.event_log.restore(past.log)
         self.system.budget.left = past.operations
         if self.curved is not None:
@@ -267,24 +272,23 @@ class _Run(Settling):
                 )
 
 
-class _Recent(local):
-    """The latest runs of a thread, which a search for an event continues to longer and longer durations."""
+class _Latest(local):
+    """The latest run of a thread, which a search for an event continues to longer and longer durations.
 
-    def __init__(self) -> None:
-        """Start without runs."""
-        self._runs: list[_Run] = []
+    More of them would take more time by their memory than they save.
+    """
+
+    run: _Run | None = None
 
     def take(self, mechanism: Mechanism, duration: float) -> _Run | None:
-        """Remove and return a run of this very mechanism that can be continued to `duration`, s; None if none can."""
-        for run in self._runs:
-            if run.mechanism is mechanism and run.can_resume(duration):
-                self._runs.remove(run)
-                return run
-        return None
+        """Remove and return the run if it is of this very mechanism and can be continued to `duration`, s."""
+        run, self.run = self.run, None
+        return run if run is not None and run.mechanism is mechanism and run.can_resume(duration) else None
 
-    def keep(self, run: _Run) -> None:
-        """Keep a run in place of the oldest one."""
-        self._runs = [run, *self._runs[: RECENT_RUNS - 1]]
+    def keep(self, run: _Run) -> Motion:
+        """Keep a run, and return its motion."""
+        self.run = run
+        return run.motion
 
 
-_RECENT = _Recent()
+_LATEST = _Latest()
