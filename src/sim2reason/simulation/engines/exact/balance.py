@@ -32,6 +32,8 @@ def separating_contacts(problem: Problem, heave: list[Row], solution: Solution, 
 
     `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
     """
+    if not any(force < -small for force in solution.forces.normal):
+        return ()
     guided = {grip.contact for grip in problem.grips if grip.both} | set(problem.guided)
     pulled = {number for number, force in enumerate(solution.forces.normal) if force < -small and number not in guided}
     if not pulled:
@@ -153,8 +155,8 @@ def balance(system: System, instant: Instant, demand: ContactDemand) -> Balance:
         tuple(now or before for now, before in zip(demand.sliding, guess.rubbing, strict=True)),
     )
     solution = search(problem, start)
-    open_ended = _open(count_resting_as_acting(problem, solution).spare, solution.forces)
     small, small_x = scales(problem, solution.x)
+    open_ended = _open(count_resting_as_acting(problem, solution, small_x).spare, solution.forces)
     loose = solution.loose or _unheld(instant, problem, solution, open_ended, small)
     away = separating_contacts(problem, loads.heave, solution, small)
     kept = _kept(problem, solution, start, small_x)
@@ -167,6 +169,8 @@ def _kept(problem: Problem, solution: Solution, before: ContactMode, small: floa
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
     not accelerated sticks, though of forces that are not determined some let it slide at no speed.
     """
+    if solution.mode.acting == before.acting and not any(solution.mode.rubbing):
+        return solution.mode
     acting, rubbing = list(solution.mode.acting), list(solution.mode.rubbing)
     for number, acts in enumerate(solution.mode.acting):
         if before.acting[number] and not acts:

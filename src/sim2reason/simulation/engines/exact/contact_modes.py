@@ -134,7 +134,8 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
     linear_solution, forces, obeys = _solved(problem, mode, active, 0.0)
-    loose = any(any(abs(part) > ZERO_RTOL for part in null[:n]) for null in linear_solution.nulls)
+    nulls = linear_solution.nulls
+    loose = bool(nulls) and any(any(abs(part) > ZERO_RTOL for part in null[:n]) for null in nulls)
     if loose:
         faint = ARTIFICIAL_MASS_RATIO * (
             max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0
@@ -276,12 +277,14 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
     return flips
 
 
-def count_resting_as_acting(problem: Problem, solution: Solution) -> Solution:
+def count_resting_as_acting(problem: Problem, solution: Solution, small_x: float) -> Solution:
     """Return the solution with every constraint at rest counted as acting and every contact at rest as sticking.
 
-    Its `spare` then lists the force patterns that the motion does not determine.
+    Accelerations up to `small_x` count as zero. Its `spare` then lists the force patterns that the motion does not
+    determine.
     """
-    _, small_x = scales(problem, solution.x)
+    if all(solution.mode.acting) and not any(solution.mode.rubbing):
+        return solution
     acting = tuple(
         acts or abs(row.rate(solution.x) - target) <= small_x
         for acts, row, target in zip(solution.mode.acting, problem.rows, problem.targets, strict=True)

@@ -208,8 +208,9 @@ class _Recorded:
         for number, (meeting, stuck) in enumerate(zip(system.mechanism.meetings, self.phase.stuck, strict=True)):
             if not stuck:
                 margins.append((Margin("gap", number), self.assembly.separation(meeting).gap))
+        kept = self._kept_segments(mode)
         for number, (first, last) in enumerate(system.runs):
-            if not self._keeps(mode, first, last):
+            if (first, last) not in kept:
                 margins.append((Margin("reach", number), self._distance(first, last)))
         for number, limit in enumerate(system.limits):
             margins.append((Margin("limit", number), limit.initial_travel + limit.sign * self.q[limit.coordinate]))
@@ -257,12 +258,12 @@ class _Recorded:
                 margins.append((Margin("grip", number, -1), bound - friction[grip.contact]))
         return margins
 
-    def _keeps(self, mode: ContactMode, first: str, last: str) -> bool:
-        """Return whether the segment between two sites is a whole acting constraint and so has a constant length."""
+    def _kept_segments(self, mode: ContactMode) -> set[tuple[str, ...]]:
+        """Return the ends of the segments that are whole acting constraints and so have a constant length."""
         known = self.system.mechanism.line
         acting = [kind.name for kind, acts in zip(self.system.kinds(self.phase), mode.acting, strict=True) if acts]
         lines = [known[name] for name in acting if name in known]
-        return any(line.through == (first, last) and not line.wheels for line in lines)
+        return {line.through for line in lines if not line.wheels}
 
     def _passing(self, watched: list[tuple[Margin, Number]]) -> dict[int, Number]:
         """Return Δr·Δv of each pair of line ends that may pass each other; it is zero at their nearest approach."""

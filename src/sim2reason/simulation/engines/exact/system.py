@@ -151,7 +151,7 @@ class System:
     @cached_property
     def steady(self) -> dict[tuple[str, str], Triple]:
         """Return the straight line segments of constant direction, with their directions."""
-        return steady(self.mechanism)
+        return steady(self.mechanism, self.frames)
 
     @cached_property
     def movable(self) -> tuple[tuple[str, ...], ...]:

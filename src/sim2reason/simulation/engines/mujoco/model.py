@@ -12,6 +12,7 @@ import numpy as np
 from sim2reason.errors import SceneError, SimulationError
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
@@ -54,7 +55,7 @@ class CompiledModel:
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         compiled_in = self._site_id, self.index, self._model
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
-        self.directions = steady(mechanism)
+        self.directions = steady(mechanism, initial_frames(mechanism))
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, directions=self.directions)
         self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
         self._pulls = Pulls(self._drawn)
