@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
