@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named, outer_ports
-from sim2reason.scenes.dsl.model import Model, replace_validated
+from sim2reason.scenes.dsl.model import Model, field_names, replace_validated
 
 NO_SUCH_ADDRESS, LIST_PARAMETERS = "there is no such thing in the scene", "list the scene's parameters"
 V = TypeVar("V")
@@ -29,7 +29,10 @@ def _members(value: Any) -> dict[str, Any]:
     """Return the fields of a model by name, or the members of a tuple by index, as the next step of an address."""
     if isinstance(value, tuple):
         return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
-    return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
+    if not isinstance(value, Model):
+        return {}
+    known = value.__dict__
+    return {name: known[name] for name in field_names(type(value))}
 
 
 def with_values(value: V, news: Mapping[str, object]) -> V:

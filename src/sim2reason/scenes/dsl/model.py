@@ -158,6 +158,12 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
     return fields
 
 
+@cache
+def field_names(model: type[Model]) -> tuple[str, ...]:
+    """Return the names of the fields of a model class; reading them from the class takes pydantic longer."""
+    return tuple(model.model_fields)
+
+
 def round_as_stated(model: type[Model], name: str, value: float) -> float:
     """Return a value rounded as the text states that field, so that the stated value is simulated."""
     measure = field_types(model)[name].measure
@@ -294,5 +300,6 @@ def _draw_field(
 
 def replace_validated(value: M, **fields: object) -> M:
     """Return a copy with some fields replaced, validated again."""
-    current = {name: getattr(value, name) for name in type(value).model_fields}
+    known = value.__dict__
+    current = {name: known[name] for name in field_names(type(value))}
     return type(value)(**{**current, **fields})

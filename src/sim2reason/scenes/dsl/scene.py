@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.defaults import horizon, place_entities, within_oscil
 from sim2reason.scenes.dsl.entity import Entity, Name, Named, Part, internal_connections, outer_ports, port_stops
 from sim2reason.scenes.dsl.measures import Gravity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
-from sim2reason.scenes.dsl.model import Model, Parameter, parameters, replace_validated
+from sim2reason.scenes.dsl.model import Model, Parameter, field_names, parameters, replace_validated
 from sim2reason.scenes.dsl.ports import Pass, Port, Stop, reversed_stops, travelled
 from sim2reason.scenes.dsl.units import UnitSystem
 
@@ -377,7 +377,7 @@ def _line(value: Model, name: str) -> str:
 
 def _bodies(value: Model, address: str) -> dict[str, Body]:
     bodies: dict[str, Body] = {}
-    for name in type(value).model_fields:
+    for name in field_names(type(value)):
         field_value: Any = getattr(value, name)
         inside = isinstance(field_value, tuple)
         for index, member in enumerate(cast("tuple[Any, ...]", field_value) if inside else (field_value,)):

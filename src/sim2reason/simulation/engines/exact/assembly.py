@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 
 from sim2reason.scenes.dsl.frames import BodyFrame, Frames
 from sim2reason.scenes.dsl.mechanism import (
+    ZERO,
     CollisionPair,
     ConstantTension,
     Elastic,
@@ -86,7 +87,9 @@ class Assembly:
         """Add the mass matrix Σ m JᵀJ + Jᵀ I J, the inertial loads and the weight of one body."""
         frame, point, mass = self.frames[name], self.frames.center(name), self.masses[name]
         if not (type(mass) is float and mass == 0.0):
-            weight = add_triples(scale_triple(mass, self.mechanism.gravity), scale_triple(-mass, point.bias))
+            weight = scale_triple(mass, self.mechanism.gravity)
+            if point.bias is not ZERO:
+                weight = add_triples(weight, scale_triple(-mass, point.bias))
             self._push(point, weight)
             entries = list(point.gradient.items())
             for index, (i, axis) in enumerate(entries):
@@ -119,7 +122,11 @@ class Assembly:
 
     def full_mass(self) -> list[Numbers]:
         """Return the complete symmetric mass matrix (n, n) from its stored lower half."""
-        return [[*row[: i + 1], *(below[i] for below in self.mass[i + 1 :])] for i, row in enumerate(self.mass)]
+        full = [row[:] for row in self.mass]
+        for i, row in enumerate(self.mass):
+            for j in range(i):
+                full[j][i] = row[j]
+        return full
 
     # ---- loads
 

@@ -213,10 +213,9 @@ class System:
 
     def loads(self, assembly: Assembly) -> Loads:
         """Return the inertia and loads of a numerical assembly, with NumPy scalars converted to floats."""
-        mass, lifted, heave = (
-            [list(map(float, row)) for row in matrix]
-            for matrix in (assembly.full_mass(), assembly.lifted, assembly.heave)
-        )
+        mass = [list(map(float, row)) for row in assembly.full_mass()]
+        lifted = [list(map(float, row)) for row in assembly.lifted]
+        heave = [list(map(float, row)) for row in assembly.heave]
         weightless = tuple(solve([[*row, 0.0] for row in mass]).nulls) if self.massless else ()
         force, press = list(map(float, assembly.force)), list(map(float, assembly.press))
         return Loads(mass, lifted, heave, force, press, weightless)
@@ -242,7 +241,7 @@ def spread(entries: Mapping[int, Number], size: int) -> Row:
     """Return a dense row with the given entries."""
     row = [0.0] * size
     for number, part in entries.items():
-        row[number] = float(part)
+        row[number] = part if type(part) is float else float(part)
     return row
 
 
