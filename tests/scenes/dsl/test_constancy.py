@@ -178,7 +178,7 @@ def test_directions_that_are_kept_change_no_length(family: str) -> None:
     for seed in range(TRIED):
         mechanism = KEEPERS[family](seed)
         try:
-            kept, spare = steady(mechanism, initial_frames(mechanism)), _shortest(mechanism)
+            kept, spare = steady(mechanism), _shortest(mechanism)
         except (Sim2ReasonError, ZeroDivisionError):
             continue
         n = len(mechanism.coordinates)

@@ -278,9 +278,12 @@ def constant_direction(mechanism: Mechanism, frames: Frames, first: str, last: s
     return run.direction
 
 
-def steady(mechanism: Mechanism, frames: Frames) -> dict[tuple[str, str], Triple]:
-    """Return the constant unit vectors, by end sites, of straight segments of variable length, from initial frames."""
-    directions = dict[tuple[str, str], Triple]()
+def steady(mechanism: Mechanism, frames: Frames | None = None) -> dict[tuple[str, str], Triple]:
+    """Return the constant unit vectors, by end sites, of straight segments of variable length.
+
+    `frames` are the initial ones, if they are known.
+    """
+    frames, directions = frames or initial_frames(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
             parts, direction = bool(frames.distance(*ends).moved), constant_direction(mechanism, frames, *ends)

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing, steady
@@ -55,7 +54,7 @@ class CompiledModel:
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         compiled_in = self._site_id, self.index, self._model
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
-        self.directions = steady(mechanism, initial_frames(mechanism))
+        self.directions = steady(mechanism)
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, directions=self.directions)
         self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
         self._pulls = Pulls(self._drawn)
