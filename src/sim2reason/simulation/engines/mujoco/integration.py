@@ -6,6 +6,7 @@ from that of the exact engine, so that the engines do not share errors.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,12 @@ SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.85, 0.1, 2.0  # safety factor, smalle
 STEP_SIMILARITY = 0.1  # fraction of a step: neighbours of a more different size are left out of the interpolation
 
 Rate = Callable[[float, Array], Array]
+"""A function that returns the time derivative of the values at a time as a new array, which its caller may change."""
+
+_WEIGHTS = [
+    [(substeps / SUBSTEP_SEQUENCE[column - order - 1]) ** 2 - 1.0 for order in range(column)]
+    for column, substeps in enumerate(SUBSTEP_SEQUENCE)
+]  # by which the extrapolations to zero step size divide
 
 
 class Extrapolated(NamedTuple):
@@ -32,29 +39,51 @@ class Extrapolated(NamedTuple):
 def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
     """Compute a step of size `h` from `values`, where the rate is `first`, with the order required by the tolerance."""
     table: list[Array] = []
-    error = 0.0
+    error, sizes = 0.0, abs(values)
     for column, substeps in enumerate(SUBSTEP_SEQUENCE):
         row = [_midpoint(rate, time, values, first, h, substeps)]
-        for order in range(column):
-            weight = (substeps / SUBSTEP_SEQUENCE[column - order - 1]) ** 2 - 1.0
-            row.append(row[order] + (row[order] - table[order]) / weight)
+        for order, weight in enumerate(_WEIGHTS[column]):
+            row.append(_extrapolate(row[order], table[order], weight))
         table = row
         if column >= MIN_STAGE:
-            scale = tolerance * (1e-2 + np.maximum(np.abs(values), np.abs(row[-1])))
-            scaled_difference = (row[-1] - row[-2]) / scale
-            error = float(np.sqrt(np.mean(scaled_difference * scaled_difference))) if len(values) else 0.0
+            error = _error(row, sizes, tolerance)
             if error <= 1.0:
                 break
     spare = len(SUBSTEP_SEQUENCE) - len(table)
     return Extrapolated(table[-1], error, MAX_STEP_RATIO if spare else _factor(error))
 
 
+def _extrapolate(finer: Array, coarser: Array, weight: float) -> Array:
+    """Return the value at zero step size of a line through two results."""
+    found: Array = finer - coarser
+    found /= weight
+    found += finer
+    return found
+
+
+def _error(row: list[Array], sizes: Array, tolerance: float) -> float:
+    """Return the root mean square of the last difference, relative to the tolerance for values of such `sizes`."""
+    if not len(sizes):
+        return 0.0
+    scale: Array = np.maximum(sizes, abs(row[-1]))
+    scale += 1e-2
+    scale *= tolerance
+    difference: Array = row[-1] - row[-2]
+    difference /= scale
+    difference *= difference
+    return sqrt(float(np.add.reduce(difference)) / len(sizes))  # `np.mean` takes longer than all of these lines
+
+
 def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
     """Return the result of the midpoint rule; even `substeps` do not need Gragg's final smoothing."""
     step = h / substeps
+    double = 2.0 * step
     before, here = values, values + step * first
     for number in range(1, substeps):
-        before, here = here, before + 2.0 * step * rate(time + number * step, here)
+        following = rate(time + number * step, here)
+        following *= double
+        following += before
+        before, here = here, following
     return here
 
 
