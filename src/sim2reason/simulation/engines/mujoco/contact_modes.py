@@ -8,8 +8,6 @@ or is µN.
 from collections.abc import Iterator
 from itertools import combinations, islice
 
-import numpy as np
-
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.forces import (
     UNLIMITED_FRICTION,
@@ -36,7 +34,11 @@ def search(instant: ForceProblem, guess: ContactMode) -> ForceSolution:
         found = next((each for each in every if each is not None), None)
     if found is None:
         raise SimulationError("MuJoCo: no forces are consistent with the strings and rough contacts")
-    return _consistent(instant, _least_changed(instant, start, found)) or found
+    least = _least_changed(instant, start, found)
+    if least == found.mode:
+        instant.spend(least)
+        return found
+    return _consistent(instant, least) or found
 
 
 def _consistent(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
@@ -48,10 +50,10 @@ def _consistent(instant: ForceProblem, mode: ContactMode) -> ForceSolution | Non
 def _least_changed(instant: ForceProblem, start: ContactMode, found: ForceSolution) -> ContactMode:
     """Return the mode of a solution without changes from `start` that have no observable effect."""
     small, mode = _smallest_rate(instant, found), found.mode
-    rates = [float(row @ found.x) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
+    rates = [float(row.dot(found.x)) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
     rows = [acts or (was and abs(rate) <= small) for acts, was, rate in zip(mode.rows, start.rows, rates, strict=True)]
-    faces = [shut or abs(found.x[rise]) <= small for shut, rise in zip(mode.faces, instant.rises, strict=True)]
-    slips = [abs(float(slip @ found.x)) > small for slip in instant.slips]
+    faces = [shut or abs(found.x[rise]) <= small for shut, rise in zip(mode.faces, instant.faces.rises, strict=True)]
+    slips = [abs(float(slip.dot(found.x))) > small for slip in instant.faces.slips]
     rubbing = [
         was if not slid and not moves else side
         for was, side, slid, moves in zip(start.rubbing, mode.rubbing, instant.sliding, slips, strict=True)
@@ -61,9 +63,7 @@ def _least_changed(instant: ForceProblem, start: ContactMode, found: ForceSoluti
 
 def _smallest_rate(instant: ForceProblem, found: ForceSolution) -> float:
     """Return the acceleration, or velocity in an impact, below which values count as zero."""
-    return ZERO_RTOL * max(
-        float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0
-    )
+    return ZERO_RTOL * max(1.0, *map(abs, found.x.tolist()), *map(abs, instant.targets))
 
 
 def _repair(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
@@ -91,8 +91,10 @@ def _modes(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
         for number, ok in enumerate(instant.allowed)
         if ok and not instant.both[number] and instant.follows[number] < 0
     ]
-    rough = [i for i, mu in enumerate(instant.friction) if 0.0 < mu < UNLIMITED_FRICTION and not instant.sliding[i]]
-    faces = [i for i, held in enumerate(instant.guided) if not held]
+    rough = [
+        i for i, mu in enumerate(instant.faces.friction) if 0.0 < mu < UNLIMITED_FRICTION and not instant.sliding[i]
+    ]
+    faces = [i for i, held in enumerate(instant.faces.guided) if not held]
     start = _admissible(instant, guess)
     changes: list[Change] = [("rows", i, not start.rows[i]) for i in free]
     changes += [("rubbing", i, side) for i in rough for side in (0, 1, -1) if side != start.rubbing[i]]
@@ -130,21 +132,21 @@ def _link_followers(instant: ForceProblem, mode: ContactMode) -> ContactMode:
 def _corrections(instant: ForceProblem, found: ForceSolution) -> tuple[Change, ...]:
     """Return the changes that correct the violated conditions of a solution; empty if it is consistent."""
     mode = found.mode
-    force = ZERO_RTOL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
+    force = ZERO_RTOL * max(1e-3, *map(abs, instant.loads.tolist()))
     small = _smallest_rate(instant, found)
     wrong: list[Change] = []
     for i, acts in enumerate(mode.rows):
         if instant.both[i] or not instant.allowed[i]:
             continue
-        over = float(instant.rows[i] @ found.x) - instant.targets[i]
+        over = float(instant.rows[i].dot(found.x)) - instant.targets[i]
         if found.rows[i] < -force if acts else over > small:
             wrong.append(("rows", i, not acts))
     for i, shut in enumerate(mode.faces):
-        if (shut and not instant.guided[i] and found.normal[i] < -force) or (
-            not shut and found.x[instant.rises[i]] < -small
+        if (shut and not instant.faces.guided[i] and found.normal[i] < -force) or (
+            not shut and found.x[instant.faces.rises[i]] < -small
         ):
             wrong.append(("faces", i, not shut))
-        elif instant.friction[i] > 0.0 and shut:
+        elif instant.faces.friction[i] > 0.0 and shut:
             wrong += _friction_corrections(instant, found, i, force, small)
     return tuple(wrong)
 
@@ -153,13 +155,13 @@ def _friction_corrections(
     instant: ForceProblem, found: ForceSolution, i: int, force: float, small: float
 ) -> list[Change]:
     """Return the changes of the friction of a rough face that correct its violated condition."""
-    if instant.friction[i] >= UNLIMITED_FRICTION:
+    if instant.faces.friction[i] >= UNLIMITED_FRICTION:
         return []
     side, held = found.mode.rubbing[i], float(found.friction[i])
     if side == 0:
-        too_much = abs(held) > instant.holds[i] * abs(found.normal[i]) + force
+        too_much = abs(held) > instant.faces.holds[i] * abs(found.normal[i]) + force
         return [("rubbing", i, -1 if held > 0.0 else 1)] if too_much else []
-    back = not instant.sliding[i] and side * float(instant.slips[i] @ found.x) < -small
+    back = not instant.sliding[i] and side * float(instant.faces.slips[i].dot(found.x)) < -small
     return [("rubbing", i, 0)] if back else []
 
 

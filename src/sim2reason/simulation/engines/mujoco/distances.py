@@ -2,15 +2,16 @@
 
 from collections.abc import Mapping
 from itertools import pairwise
+from math import sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from sim2reason.base.records import record
 from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, Line
+from sim2reason.scenes.dsl.mechanism import Attraction, Line
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.vectors import Triple
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 MIN_CLOSENESS = 1e-4  # smallest closeness; below, round-off dominates the step error
@@ -18,32 +19,39 @@ MIN_CLOSENESS = 1e-4  # smallest closeness; below, round-off dominates the step 
 
 @record()
 class PointMotion:
-    """A point: its position, velocity, acceleration at q̈ = 0, and Jacobian (3, joints)."""
+    """A point: its position, velocity and Jacobian (3, joints), valid until the next state is set."""
 
     place: Array
     velocity: Array
-    bias: Array
     jacobian: Array
 
 
-def distance(one: PointMotion, other: PointMotion) -> tuple[float, float, Array, float]:
-    """Return the distance of two points, its rate, gradient and second derivative at q̈ = 0."""
-    apart, parting = other.place - one.place, other.velocity - one.velocity
-    length = float(np.linalg.norm(apart))
+def separated(apart: Array) -> float:
+    """Return the length of a vector between two points; raise SimulationError if they coincide."""
+    length = sqrt(apart.dot(apart))
     if length == 0.0:
         raise SimulationError("two points of a line have come together")
+    return length
+
+
+def distance(one: PointMotion, other: PointMotion, bias: Array) -> tuple[float, float, Array, float]:
+    """Return the distance of two points, its rate, gradient and second derivative at q̈ = 0.
+
+    `bias` is their relative acceleration at q̈ = 0.
+    """
+    apart, parting = other.place - one.place, other.velocity - one.velocity
+    length = separated(apart)
     direction = apart / length
-    rate = float(direction @ parting)
-    bend = float(direction @ (other.bias - one.bias)) + (float(parting @ parting) - rate * rate) / length
+    rate = float(direction.dot(parting))
+    bend = float(direction.dot(bias)) + (float(parting.dot(parting)) - rate * rate) / length
     return length, rate, direction @ (other.jacobian - one.jacobian), bend
 
 
 class Segments(NamedTuple):
-    """The straight segments of lines: ends, lengths, directions, and Jacobians of separation (segments, 3, joints)."""
+    """The straight segments of lines: lengths, directions, and Jacobians of separation (segments, 3, joints)."""
 
-    places: Array  # positions of all sites
-    runs: Array
-    directions: Array
+    runs: list[float]
+    directions: Array  # (segments, 3)
     moved: Array
 
 
@@ -64,11 +72,14 @@ class Lines:
         sites: dict[str, int],
         index: dict[str, int],
         model: Any,  # noqa: ANN401 - MuJoCo's
+        data: Any,  # noqa: ANN401 - MuJoCo's
         *,
         straight: bool,
-        directions: Mapping[tuple[str, str], Triple],
+        directions: Mapping[tuple[str, str], Vector],
     ) -> None:
-        """Index the sites and joints of the compiled `model`; `straight` means that no joint rotates.
+        """Index the sites and joints of the compiled `model`, whose state is `data`.
+
+        `straight` means that no joint rotates.
 
         `directions` are the unit vectors of segments of constant direction. If the ends of such a segment nearly
         coincide, a direction computed from their positions would be round-off and would cause a jerk of the force.
@@ -77,14 +88,15 @@ class Lines:
         names = sorted({name for line in lines for name in line.through})
         place = {name: number for number, name in enumerate(names)}
         segments = [(owner, ends) for owner, line in enumerate(lines) for ends in pairwise(line.through)]
-        self._model, self._straight = model, straight
-        self._sites = np.array([sites[name] for name in names], dtype=np.intp)
-        self._carriers = [int(model.site_bodyid[site]) for site in self._sites]
+        self._model, self._data, self._straight = model, data, straight
+        self._moving = [
+            (number, data.site_xpos[sites[name]], int(model.site_bodyid[sites[name]]))
+            for number, name in enumerate(names)
+            if model.site_bodyid[sites[name]]
+        ]  # the sites of bodies: number, position (a view) and body
         self._first = np.array([place[first] for _, (first, _) in segments], dtype=np.intp)
         self._last = np.array([place[last] for _, (_, last) in segments], dtype=np.intp)
-        self._kept = np.array([directions.get(ends, ZERO) for _, ends in segments]).reshape(len(segments), 3)
-        self._keeps = np.array([ends in directions for _, ends in segments], dtype=bool)
-        self._is_kept = bool(self._keeps.any())
+        self._ends = [(sites[first], sites[last], directions.get((first, last))) for _, (first, last) in segments]
         self._owned, self._wound = np.zeros((len(lines), len(segments))), np.zeros((len(lines), int(model.nv)))
         for number, (owner, _) in enumerate(segments):
             self._owned[owner, number] = 1.0
@@ -96,59 +108,76 @@ class Lines:
         self._jacobians = np.zeros((len(names), 3, int(model.nv)))
         self._dots = np.zeros_like(self._jacobians)
 
-    def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
+    def values(self, q: Array) -> Array:
+        """Return the lengths of the lines, (lines,), m."""
+        values = self._sum_segments(np.array(self._measure()[0]))
+        return values + self._wound @ q if self._wheels else values
+
+    def lengths(self, q: Array) -> Lengths:
         """Return the lengths of the lines, with gradients and segments."""
-        places = data.site_xpos.take(self._sites, axis=0)
-        separations = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        runs, directions = self._directions_of(separations)
-        moved = self._jacobians_apart(data, places)
-        values, gradients = self._sum_segments(runs), self._sum_segments(np.vecmat(directions, moved))
+        runs, units = self._measure()
+        directions, moved = np.array(units).reshape(len(runs), 3), self._jacobians_apart()
+        values, gradients = self._sum_segments(np.array(runs)), self._sum_segments(np.vecmat(directions, moved))
         if self._wheels:
             values, gradients = values + self._wound @ q, gradients + self._wound
-        return Lengths(values, gradients, Segments(places, runs, directions, moved))
+        return Lengths(values, gradients, Segments(runs, directions, moved))
 
-    def _directions_of(self, apart: Array) -> tuple[Array, Array]:
-        """Return the lengths (segments,) and directions of segments, from the separations (segments, 3) of ends."""
-        keeps = self._keeps
-        runs: Array = np.sqrt(np.vecdot(apart, apart))
-        if not (runs.all() or (runs.astype(bool) | keeps).all()):
-            raise SimulationError("two points of a line have come together")
-        if not self._is_kept:
-            return runs, apart / runs[:, None]
-        turning = apart / np.where(keeps, 1.0, runs)[:, None]
-        return np.where(keeps, np.vecdot(apart, self._kept), runs), np.where(keeps[:, None], self._kept, turning)
+    def _measure(self) -> tuple[list[float], list[Vector]]:
+        """Return the lengths and directions of the segments; floats, since few numbers take numpy longer."""
+        places = self._data.site_xpos.tolist()
+        runs: list[float] = []
+        directions: list[Vector] = []
+        for first, last, kept in self._ends:
+            (ax, ay, az), (bx, by, bz) = places[first], places[last]
+            x, y, z = bx - ax, by - ay, bz - az
+            if kept is None:
+                run = sqrt(x * x + y * y + z * z)
+                if run == 0.0:
+                    raise SimulationError("two points of a line have come together")
+                direction = (x / run, y / run, z / run)
+            else:
+                run, direction = x * kept[0] + y * kept[1] + z * kept[2], kept
+            runs.append(run)
+            directions.append(direction)
+        return runs, directions
 
-    def bends(self, data: Any, v: Array, segments: Segments) -> Array:  # noqa: ANN401 - MuJoCo's
+    def bends(self, v: Array, segments: Segments) -> Array:
         """Return the second derivatives of the lengths at q̈ = 0, m/s²."""
-        places, runs, directions, moved = segments
-        parting = moved @ v
-        along = np.vecdot(directions, parting)
-        turning = (np.vecdot(parting, parting) - along * along) / np.where(self._keeps, 1.0, runs)
-        second_derivatives = np.where(self._keeps, 0.0, turning)
-        if not self._straight:
-            for number, carrier in enumerate(self._carriers):
-                if carrier:
-                    mujoco.mj_jacDot(self._model, data, self._dots[number], None, places[number], carrier)
-            biases = self._dots @ v
-            second_derivatives += np.vecdot(
-                directions, biases.take(self._last, axis=0) - biases.take(self._first, axis=0)
-            )
-        return self._sum_segments(second_derivatives)
+        runs, directions, moved = segments
+        partings = (moved @ v).tolist()
+        second_derivatives = [
+            _turning(parting, direction, run) if kept is None else 0.0
+            for (*_, kept), parting, direction, run in zip(self._ends, partings, directions.tolist(), runs, strict=True)
+        ]
+        if self._straight:
+            return self._sum_segments(np.array(second_derivatives))
+        for number, place, carrier in self._moving:
+            mujoco.mj_jacDot(self._model, self._data, self._dots[number], None, place, carrier)
+        biases = self._dots @ v
+        along = np.vecdot(directions, biases.take(self._last, axis=0) - biases.take(self._first, axis=0))
+        along += second_derivatives
+        return self._sum_segments(along)
 
     def _sum_segments(self, parts: Array) -> Array:
         """Return, for each line, the sum of the values of its segments."""
         return parts if self._single else self._owned @ parts
 
-    def _jacobians_apart(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
+    def _jacobians_apart(self) -> Array:
         """Return the Jacobian of the separation of each segment's ends, (segments, 3, joints)."""
         if self._apart is not None:
             return self._apart
-        for number, carrier in enumerate(self._carriers):
-            if carrier:
-                mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
+        for number, place, carrier in self._moving:
+            mujoco.mj_jac(self._model, self._data, self._jacobians[number], None, place, carrier)
         moved = self._jacobians.take(self._last, axis=0) - self._jacobians.take(self._first, axis=0)
         self._apart = moved if self._straight else None
         return moved
+
+
+def _turning(parting: list[float], direction: list[float], run: float) -> float:
+    """Return the part of the second derivative of a length by which the velocity turns the segment."""
+    (x, y, z), (a, b, c) = parting, direction
+    along = a * x + b * y + c * z
+    return (x * x + y * y + z * z - along * along) / run
 
 
 class Pulls:
@@ -163,10 +192,12 @@ class Pulls:
         )
         self._damps = bool(self._damping.any())
 
-    def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
+    def load(self, q: Array, v: Array, idle: list[Line]) -> Array:
         """Return the load on the joints, (joints,), of all lines except `idle` ones."""
-        values, gradients, _ = self._lines.lengths(data, q)
-        tension = self._given + self._stiffness * (values - self._natural)
+        values, gradients, _ = self._lines.lengths(q)
+        tension: Array = values - self._natural
+        tension *= self._stiffness
+        tension += self._given
         if self._damps:
             tension += self._damping * (gradients @ v)
         if idle:
@@ -182,11 +213,12 @@ class Attractions:
         pairs: tuple[Attraction, ...],
         bodies: dict[str, int],
         model: Any,  # noqa: ANN401 - MuJoCo's
+        data: Any,  # noqa: ANN401 - MuJoCo's
         *,
         straight: bool,
     ) -> None:
-        """Index the pairs by `bodies` in the compiled `model`; `straight` means that no joint rotates."""
-        self._pairs, self._model, self._straight = pairs, model, straight
+        """Index the pairs by `bodies` in the compiled `model`, whose state `data` is unset; `straight`: none rotates."""
+        self._pairs, self._model, self._data, self._straight = pairs, model, data, straight
         self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
         self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)
         self._constants = np.array([pair.constant for pair in pairs])
@@ -194,45 +226,45 @@ class Attractions:
         self._bodies = sorted({*self._first.tolist(), *self._last.tolist()})
         self._jacobians = np.zeros((int(model.nbody), 3, int(model.nv)))
         self._apart: Array | None = None  # how the Jacobians of each pair differ, where nothing turns
-        self._began = self._at_the_start() if pairs else np.zeros(0)
+        self._began = np.zeros(0)
 
-    def closeness(self, data: Any) -> float:  # noqa: ANN401 - MuJoCo's
+    def begin(self) -> None:
+        """Store the present distances as those at the start."""
+        self._began = self._squares()[1]
+
+    def closeness(self) -> float:
         """Return the smallest ratio of a pair's present to initial distance, at most 1, to scale the step tolerance.
 
         When two bodies pass closely, a small error of their positions is a large part of their distance, which
         determines their deflection.
         """
-        squares = self._squares(data)[1]
+        squares = self._squares()[1]
         return max(MIN_CLOSENESS, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
-    def _at_the_start(self) -> Array:
-        """Return the squared distances of the pairs at the start, (pairs,), m²."""
-        data = mujoco.MjData(self._model)
-        mujoco.mj_fwdPosition(self._model, data)
-        return self._squares(data)[1]
-
-    def _squares(self, data: Any) -> tuple[Array, Array]:  # noqa: ANN401 - MuJoCo's
+    def _squares(self) -> tuple[Array, Array]:
         """Return the separation of the centres of mass of each pair, (pairs, 3), m, and its square, (pairs,), m²."""
-        places = data.xipos
+        places = self._data.xipos
         separations: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
         return separations, np.vecdot(separations, separations)
 
-    def load(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
+    def load(self) -> Array:
         """Return the load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass, for present masses."""
-        separations, squares = self._squares(data)
-        if not squares.all():
+        separations, squares = self._squares()
+        if 0.0 in squares.tolist():
             pair = self._pairs[int(squares.argmin())]
             raise SimulationError(f"{pair.a} and {pair.b} are at one place")
         masses = self._model.body_mass
-        pulls = self._constants * masses[self._first] * masses[self._last] * squares**self._exponents
-        return (pulls[:, None] * separations).ravel() @ self._jacobians_apart(data)
+        pulls: Array = self._constants * masses.take(self._first)
+        pulls *= masses.take(self._last)
+        pulls *= squares**self._exponents
+        return (pulls[:, None] * separations).ravel() @ self._jacobians_apart()
 
-    def _jacobians_apart(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
+    def _jacobians_apart(self) -> Array:
         """Return the derivatives of the vector between the centres of mass of each pair, (3·pairs, joints)."""
         if self._apart is not None:
             return self._apart
         for body in self._bodies:
-            mujoco.mj_jacBodyCom(self._model, data, self._jacobians[body], None, body)
+            mujoco.mj_jacBodyCom(self._model, self._data, self._jacobians[body], None, body)
         moved = (self._jacobians[self._first] - self._jacobians[self._last]).reshape(-1, self._jacobians.shape[2])
         self._apart = moved if self._straight else None
         return moved

@@ -1,5 +1,7 @@
 """The main loop of the MuJoCo engine: impacts, forces, and steps to the next event."""
 
+from math import isfinite
+
 import numpy as np
 
 from sim2reason.errors import SimulationError
@@ -9,7 +11,7 @@ from sim2reason.simulation.engines.mujoco.event_search import ARMING_MARGIN, STE
 from sim2reason.simulation.engines.mujoco.forces import ForceSolution
 from sim2reason.simulation.engines.mujoco.instant import BEGINS, REST_SPEED, STOPS, InstantSolver
 from sim2reason.simulation.engines.mujoco.integration import Knot, extrapolate_step
-from sim2reason.simulation.engines.mujoco.margins import ActingModel, EventMargin
+from sim2reason.simulation.engines.mujoco.margins import ActingModel, EventFunction
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
 MAX_STEP_DIVISOR = (
@@ -74,8 +76,8 @@ class EventDrivenLoop(InstantSolver):
         self.record.start(found.mode, found, self.switches)
         begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
         self.record.add(begun)
-        armed = [due.value > ARMING_MARGIN for due in before]
-        leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
+        armed = [value > ARMING_MARGIN for value in before]
+        leaves = any(due.kind == "spare" and not up for due, up in zip(acting.events, armed, strict=True))
         length = self.longest * (FIRST_STEP_FRACTION if leaves and not acting.constant else 1.0)
         tolerance = STEP_RTOL * acting.closeness(begun)
         while self.duration - self.now > MIN_STEP * self.duration:
@@ -84,7 +86,7 @@ class EventDrivenLoop(InstantSolver):
             trial = extrapolate_step(acting.rate, last.time, last.values, last.rates, length, tolerance)
             self._count(length)
             if not trial.error <= 1.0:
-                length *= min(0.7, trial.factor) if np.isfinite(trial.error) else 0.1
+                length *= min(0.7, trial.factor) if isfinite(trial.error) else 0.1
                 continue
             here, after = acting.knot(self.now + length, trial.values)
             event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
@@ -95,7 +97,7 @@ class EventDrivenLoop(InstantSolver):
                 return self._apply(self.due)
             self._accept(here)
             before = after
-            armed = [was or due.value > ARMING_MARGIN for was, due in zip(armed, after, strict=True)]
+            armed = [was or value > ARMING_MARGIN for was, value in zip(armed, after, strict=True)]
             length, tolerance = length * trial.factor, STEP_RTOL * acting.closeness(here)
         acting.check(self.record.last)
         self.now = self.duration
@@ -118,13 +120,14 @@ class EventDrivenLoop(InstantSolver):
 
     def _note_turns(self, before: Knot, after: Knot) -> None:
         n = self.model.size
-        for coordinate, number in zip(self.mechanism.coordinates, self.model.coordinates, strict=True):
-            old, new = before.values[n + number], after.values[n + number]
+        starts, ends = before.values[n:].tolist(), after.values[n:].tolist()
+        for name, number in self.model.index.items():
+            old, new = starts[number], ends[number]
             if old * new < 0.0 and min(abs(old), abs(new)) > REST_SPEED:
-                when = before.time + float(old / (old - new)) * (after.time - before.time)
-                self.events.append(Event(when, "turn", (coordinate.name,)))
+                when = before.time + old / (old - new) * (after.time - before.time)
+                self.events.append(Event(when, "turn", (name,)))
 
-    def _apply(self, due: list[EventMargin]) -> bool:
+    def _apply(self, due: list[EventFunction]) -> bool:
         """Apply the events that have been reached; return False if one ends the motion."""
         together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:

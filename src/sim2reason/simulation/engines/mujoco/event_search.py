@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.integration import Knot, Quintic, extrapolate_step
-from sim2reason.simulation.engines.mujoco.margins import DISTANCES, ActingModel, EventMargin
+from sim2reason.simulation.engines.mujoco.margins import ActingModel, EventFunction
 from sim2reason.simulation.engines.mujoco.record import PASSING_DISTANCE
 
 STEP_RTOL = 2e-8  # relative tolerance of a step
@@ -50,23 +50,25 @@ class EventSearch:
         self,
         acting: ActingModel,
         step: tuple[Knot, Knot],
-        ends: tuple[list[EventMargin], list[EventMargin]],
+        ends: tuple[list[float], list[float]],
         armed: list[bool],
     ) -> None:
         """Store the step without searching."""
         self._acting, self._step, self._ends, self._curve = acting, step, ends, Quintic(*step)
-        self._depth = [_depth(due.value, ready) for due, ready in zip(ends[0], armed, strict=True)]
+        self._reaches = [place for place, event in enumerate(acting.events) if event.kind == "reach"]
+        self._depth = [_depth(value, ready) for value, ready in zip(ends[0], armed, strict=True)]
         self._span = step[1].time - step[0].time
         self._polynomials: Array | None = None  # of the event functions, (functions, powers), under constant forces
         if acting.constant:
             values = [ends[0], *(self._margins_at(x) for x in FRACTIONS[1:-1].tolist()), ends[1]]
-            self._polynomials = np.array([[due.value for due in each] for each in values]).T @ TO_POWERS
+            self._polynomials = np.array(values).T @ TO_POWERS
 
-    def due(self, duration: float) -> tuple[Knot, list[EventMargin]] | None:
+    def due(self, duration: float) -> tuple[Knot, list[EventFunction]] | None:
         """Return the step's end at its first event, and the event functions that signal it; None without event."""
         start, before = self._step[0], self._ends[0]
         if self._least(before) < 0.0:
-            return start, [due for due, r in zip(before, self._depth, strict=True) if due.value + r < 0.0]
+            events = zip(self._acting.events, before, self._depth, strict=True)
+            return start, [event for event, value, r in events if value + r < 0.0]
         x = self._predict(0.0)
         if x is None:
             return None
@@ -84,51 +86,52 @@ class EventSearch:
             x += change
         return here, self._simultaneous(x, margins, duration)
 
-    def _change(self, x: float, margins: list[EventMargin]) -> float:
+    def _change(self, x: float, margins: list[float]) -> float:
         """Return the Newton correction of the step fraction at which the least event function is zero.
 
         The approach speed of two points is known; once they separate, they have met before.
         """
         short = self._least(margins)
-        for due, room in zip(margins, self._depth, strict=True):
-            if due.kind == "reach" and due.value + room == short:
-                rate = self._acting.record.run_rate(due.number) * self._span
+        for place in self._reaches:
+            if margins[place] + self._depth[place] == short:
+                rate = self._acting.record.run_rate(self._acting.events[place].number) * self._span
                 return -(short + (2.0 * PASSING_DISTANCE if rate > 0.0 else 0.0)) / rate if rate else 0.0
         slope = self._slope(x, margins)
         return -short / slope if slope else 0.0
 
-    def _slope(self, x: float, margins: list[EventMargin]) -> float:
+    def _slope(self, x: float, margins: list[float]) -> float:
         """Return the derivative of the least event function at a fraction of the step."""
         if self._polynomials is None:
             return (self._least_margin_at(x + SLOPE_STEP) - self._least_margin_at(x - SLOPE_STEP)) / (2.0 * SLOPE_STEP)
-        least = int(np.argmin([due.value + room for due, room in zip(margins, self._depth, strict=True)]))
+        least = int(np.argmin([value + room for value, room in zip(margins, self._depth, strict=True)]))
         return float(self._slopes(x)[least])
 
     def _slopes(self, x: float) -> Array:
         """Return the derivatives of all event functions at a fraction of the step; their means if these vary freely."""
         if self._polynomials is None:
-            return np.array([b.value - a.value for a, b in zip(*self._ends, strict=True)])
+            return np.array([b - a for a, b in zip(*self._ends, strict=True)])
         powers: Array = np.arange(1.0, len(TO_POWERS))
         return np.asarray(self._polynomials[:, 1:] @ (powers * x ** (powers - 1.0)), dtype=np.float64)
 
     def _arm(self, x: float) -> bool:
         """Update which event functions became positive by a fraction of the step; return whether any did."""
         risen = [
-            room > 0.0 and due.value > ARMING_MARGIN for room, due in zip(self._depth, self._margins_at(x), strict=True)
+            room > 0.0 and value > ARMING_MARGIN for room, value in zip(self._depth, self._margins_at(x), strict=True)
         ]
         self._depth = [0.0 if rose else room for rose, room in zip(risen, self._depth, strict=True)]
         return any(risen)
 
-    def _simultaneous(self, x: float, margins: list[EventMargin], duration: float) -> list[EventMargin]:
+    def _simultaneous(self, x: float, margins: list[float], duration: float) -> list[EventFunction]:
         """Return the event functions that have reached zero, or will within the tolerance of simultaneous events."""
         near = [max(1e-9, SIMULTANEITY_RTOL * duration * abs(slope) / self._span) for slope in self._slopes(x).tolist()]
-        return [due for due, r, close in zip(margins, self._depth, near, strict=True) if due.value + r <= close]
+        events = zip(self._acting.events, margins, self._depth, near, strict=True)
+        return [event for event, value, r, close in events if value + r <= close]
 
-    def _least(self, margins: list[EventMargin]) -> float:
+    def _least(self, margins: list[float]) -> float:
         """Return the least value of all event functions; if two points of a line have met, that of their distance."""
-        left = [(due.value + r, due.kind) for due, r in zip(margins, self._depth, strict=True)]
-        met = min((value for value, kind in left if kind == "reach"), default=1.0)
-        return met if met < 0.0 else min(left, default=(1.0, ""))[0]
+        left = [value + r for value, r in zip(margins, self._depth, strict=True)]
+        met = min((left[place] for place in self._reaches), default=1.0)
+        return met if met < 0.0 else min(left, default=1.0)
 
     def _predict(self, after: float) -> float | None:
         """Return the fraction of the step at which an event is predicted by interpolation; None if there is none.
@@ -177,16 +180,18 @@ class EventSearch:
         It falls at the first and rises at the second, and the tangents there meet below zero, or two points of a line
         come together, which may bend the tangents the other way.
         """
-        reach = [due.kind == "reach" for due in self._ends[0] if due.kind in DISTANCES]
-        ends = [[due.value for due in each if due.kind in DISTANCES] for each in self._ends]
-        if not ends[0]:
+        acting, events = self._acting, self._acting.events
+        reach = acting.distances_among([event.kind == "reach" for event in events])
+        ends = [acting.distances_among(each) for each in self._ends]
+        if not reach:
             return None
-        falls = (np.array(self._distances(SLOPE_STEP)) - ends[0]) / SLOPE_STEP
-        rises = (np.array(ends[1]) - self._distances(1.0 - SLOPE_STEP)) / SLOPE_STEP
+        falls = [(later - left) / SLOPE_STEP for later, left in zip(self._distances(SLOPE_STEP), ends[0], strict=True)]
+        before = self._distances(1.0 - SLOPE_STEP)
+        rises = [(right - earlier) / SLOPE_STEP for right, earlier in zip(ends[1], before, strict=True)]
         for number, (left, right, fall, rise, meets) in enumerate(zip(*ends, falls, rises, reach, strict=True)):
             if fall < 0.0 < rise:
                 meet = (left - right + rise) / (rise - fall)
-                if (meets or left + fall * meet < 0.0) and (fraction := self._bottom(number, float(meet))) is not None:
+                if (meets or left + fall * meet < 0.0) and (fraction := self._bottom(number, meet)) is not None:
                     return fraction
         return None
 
@@ -204,14 +209,14 @@ class EventSearch:
     def _distances(self, x: float) -> list[float]:
         """Return the event functions that are distances at a fraction of the step."""
         self._set_state(x)
-        return [due.value for due in self._acting.distances()]
+        return self._acting.distances()
 
     def _least_margin_at(self, x: float) -> float:
         """Return the least event function at a fraction of the step, by interpolation between its ends."""
         return self._least(self._margins_at(x))
 
-    def _margins_at(self, x: float) -> list[EventMargin]:
-        """Return all event functions at a fraction of the step."""
+    def _margins_at(self, x: float) -> list[float]:
+        """Return the values of all event functions at a fraction of the step."""
         self._set_state(x)
         return self._acting.margins()
 

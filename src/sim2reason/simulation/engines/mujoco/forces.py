@@ -1,6 +1,7 @@
 """The linear system of all forces for one state of the constraint rows, contacts and friction."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
@@ -28,35 +29,37 @@ class ContactMode(NamedTuple):
     rubbing: tuple[int, ...]
 
 
-@dataclass(frozen=True)
+class Faces(NamedTuple):
+    """The faces: the joints by which bodies leave them, gradients of slip (faces, joints), friction coefficients."""
+
+    rises: list[int]
+    slips: Array
+    friction: list[float]  # kinetic
+    holds: list[float]  # coefficients of static friction
+    guided: list[bool]
+
+
+@record()
 class ForceProblem:
     """All data that determine the forces at one instant, in arrays over joints."""
 
     inertia: Array
     loads: Array
     rows: Array  # (rows, joints)
-    targets: Array
+    targets: list[float]
     both: tuple[bool, ...]
     follows: tuple[int, ...]
-    rises: list[int]  # joints
-    slips: Array  # (faces, joints)
-    friction: Array  # (faces,), kinetic
-    holds: Array  # (faces,), coefficients of static friction
+    faces: Faces
     sliding: tuple[int, ...]  # the direction in which a face slips already; else 0
-    guided: tuple[bool, ...]
     allowed: tuple[bool, ...]  # whether each row may act
-    budget: Budget = field(default_factory=Budget)  # of the motion to which the instant belongs
+    budget: Budget  # of the motion to which the instant belongs
+
+    def spend(self, mode: ContactMode) -> None:
+        """Subtract the operations of one contact mode from the budget."""
+        self.budget.spend(TRY + FORCE * (len(mode.rows) + len(mode.faces)))
 
 
-class Faces(NamedTuple):
-    """The faces: the joints by which bodies leave them, gradients of slip (faces, joints), friction coefficients."""
-
-    rises: list[int]
-    slips: Array
-    friction: Array
-
-
-@dataclass(frozen=True)
+@record()
 class ForceSolution:
     """Accelerations and all forces of one contact mode; `unknown` marks forces that the motion does not determine."""
 
@@ -76,7 +79,7 @@ class ActiveSet(NamedTuple):
     sticking: list[int]
 
 
-def active_set(mode: ContactMode, friction: Array) -> ActiveSet:
+def active_set(mode: ContactMode, friction: list[float]) -> ActiveSet:
     """Return the active constraints of a contact mode."""
     closed = [i for i, shut in enumerate(mode.faces) if shut]
     sticking = [i for i in closed if friction[i] > 0.0 and mode.rubbing[i] == 0]
@@ -86,19 +89,19 @@ def active_set(mode: ContactMode, friction: Array) -> ActiveSet:
 def system(
     inertia: Array,
     loads: Array,
-    row_gradients: list[Array],
+    rows: Array,
     targets: list[float],
     faces: Faces,
     mode: ContactMode,
     acts: ActiveSet,
 ) -> tuple[Array, Array]:
-    """Return a contact mode's matrix and right side: accelerations, `row_gradients` rows, normal forces, friction."""
-    n, first, second = len(loads), len(row_gradients), len(row_gradients) + len(acts.closed)
+    """Return a contact mode's matrix and right side: accelerations, acting `rows`, normal forces, friction."""
+    n, first, second = len(loads), len(targets), len(targets) + len(acts.closed)
     size = n + second + len(acts.sticking)
     matrix, wanted = np.zeros((size, size)), np.zeros(size)
     matrix[:n, :n], wanted[:n] = inertia, loads
-    if row_gradients:
-        matrix[:n, n : n + first], matrix[n : n + first, :n] = np.array(row_gradients).T, np.array(row_gradients)
+    if first:
+        matrix[:n, n : n + first], matrix[n : n + first, :n] = rows.T, rows
         wanted[n : n + first] = targets
     for index, i in enumerate(acts.closed, start=n + first):
         joint = faces.rises[i]
@@ -112,34 +115,41 @@ def system(
 
 def solve_mode(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
     """Return the solution of the linear system of one contact mode; None if it has none."""
-    instant.budget.spend(TRY + FORCE * (len(mode.rows) + len(mode.faces)))
-    n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
-    acts = active_set(mode, instant.friction)
-    row_gradients, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
-    matrix, wanted = system(instant.inertia, instant.loads, row_gradients, targets, faces, mode, acts)
-    solution = solve_regular(matrix, wanted) if _is_regular(matrix) else None
+    instant.spend(mode)
+    n, acts = len(instant.loads), active_set(mode, instant.faces.friction)
+    targets = [instant.targets[i] for i in acts.rows]
+    acting = instant.rows if len(targets) == len(mode.rows) else instant.rows[acts.rows]
+    matrix, wanted = system(instant.inertia, instant.loads, acting, targets, instant.faces, mode, acts)
+    scale = _scale(matrix)
+    solution = solve_regular(matrix, wanted, scale) if _is_regular(matrix, scale) else None
+    if solution is not None:
+        return _arranged(instant, mode, acts, solution, np.zeros(len(wanted)))
+    solution, free = _least_norm(matrix, wanted)
     null = np.zeros(len(wanted))
-    if solution is None:
-        solution, free = _least_norm(matrix, wanted)
-        null[free.any(axis=0)] = 1.0
-        if solution is None or null[:n].any():
-            return None
-        if len(free):
-            solution = maximize_least_condition(solution, free, _conditions(instant, acts, len(wanted)))
+    null[free.any(axis=0)] = 1.0
+    if solution is None or null[:n].any():
+        return None
+    if len(free):
+        solution = maximize_least_condition(solution, free, _conditions(instant, acts, len(wanted)))
+    return _arranged(instant, mode, acts, solution, null)
+
+
+def _arranged(instant: ForceProblem, mode: ContactMode, acts: ActiveSet, solution: Array, null: Array) -> ForceSolution:
+    """Return a solution of the linear system by kind of force; `null` marks undetermined unknowns by 1."""
     rows, normal, friction = np.zeros(len(mode.rows)), np.zeros(len(mode.faces)), np.zeros(len(mode.faces))
-    second = n + len(row_gradients) + len(acts.closed)
-    rows[acts.rows], normal[acts.closed] = (
-        solution[n : n + len(row_gradients)],
-        solution[n + len(row_gradients) : second],
-    )
-    friction[acts.sticking] = solution[second:]
-    for i in acts.closed:
-        if mode.rubbing[i]:
-            friction[i] = -instant.friction[i] * mode.rubbing[i] * normal[i]
     unknown = np.zeros(len(rows) + 2 * len(normal))
-    places = [*acts.rows, *(len(rows) + i for i in acts.closed), *(len(rows) + len(normal) + i for i in acts.sticking)]
-    unknown[places] = null[n:]
-    return ForceSolution(mode, solution[:n], rows, normal, friction, unknown)
+    first = len(instant.loads)
+    second = first + len(acts.rows)
+    third = second + len(acts.closed)
+    if acts.rows:
+        rows[acts.rows], unknown[acts.rows] = solution[first:second], null[first:second]
+    for index, i in enumerate(acts.closed, start=second):
+        normal[i], unknown[len(rows) + i] = solution[index], null[index]
+        if mode.rubbing[i]:
+            friction[i] = -instant.faces.friction[i] * mode.rubbing[i] * normal[i]
+    for index, i in enumerate(acts.sticking, start=third):
+        friction[i], unknown[len(rows) + len(normal) + i] = solution[index], null[index]
+    return ForceSolution(mode, solution[:first], rows, normal, friction, unknown)
 
 
 def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
@@ -147,9 +157,9 @@ def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
     n, first = len(instant.loads), len(acts.rows)
     normal = {i: n + first + index for index, i in enumerate(acts.closed)}
     conditions = [[(n + index, 1.0)] for index, i in enumerate(acts.rows) if not instant.both[i]]
-    conditions += [[(index, 1.0)] for i, index in normal.items() if not instant.guided[i]]
+    conditions += [[(index, 1.0)] for i, index in normal.items() if not instant.faces.guided[i]]
     for index, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
-        conditions += [[(normal[i], float(instant.holds[i])), (index, side)] for side in (1.0, -1.0)]
+        conditions += [[(normal[i], instant.faces.holds[i]), (index, side)] for side in (1.0, -1.0)]
     matrix = np.zeros((len(conditions), size))
     for number, entries in enumerate(conditions):
         for index, part in entries:
@@ -185,28 +195,49 @@ def maximize_least_condition(solution: Array, free: Array, conditions: Array) ->
     return np.asarray(solution + best[:-1] @ directions, dtype=np.float64)
 
 
-def _is_regular(matrix: Array) -> bool:
+def _scale(matrix: Array) -> Array:
+    """Return the largest absolute entry of each row, or 1e-300 for rows of zeros."""
+    return np.maximum.reduce(abs(matrix), axis=1, initial=1e-300)
+
+
+@lru_cache(maxsize=64)
+def _side(size: int) -> Array:
+    """Return a right side with entries that follow no pattern."""
+    steps: Array = np.arange(1.0, size + 1.0)
+    return np.sqrt(2.0) * steps % 1.0 - 0.5
+
+
+def _is_regular(matrix: Array, scale: Array) -> bool:
     """Return whether a system is regular, tested by the size of the solution for a random right side."""
-    scale = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
-    steps: Array = np.arange(1.0, len(matrix) + 1.0)
-    side = np.sqrt(2.0) * steps % 1.0 - 0.5
     try:
-        solution: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
-        return bool(np.abs(solution).max(initial=0.0) < MAX_GROWTH)
+        solution = np.linalg.solve(matrix / scale[:, None], _side(len(matrix)))
     except np.linalg.LinAlgError:
         return False
+    return all(-MAX_GROWTH < x < MAX_GROWTH for x in solution.tolist())
 
 
-def solve_regular(matrix: Array, wanted: Array) -> Array | None:
-    """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful."""
+def is_moderate(solution: Array) -> bool:
+    """Return whether accelerations are finite and below the limit of those of unsupported massless parts."""
+    return all(-MAX_ACCELERATION < x < MAX_ACCELERATION for x in solution.tolist())
+
+
+def solve_regular(matrix: Array, wanted: Array, scale: Array | None = None) -> Array | None:
+    """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful.
+
+    `scale` is the largest absolute entry of each row, if known.
+    """
     try:
         solution: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
     except np.linalg.LinAlgError:
         return None
-    scale = np.abs(matrix).max(axis=1, initial=1e-300)
-    large = float(np.abs(solution).max(initial=0.0))
-    sound = np.isfinite(large) and np.abs((matrix @ solution - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
-    return solution if sound and large <= MAX_ACCELERATION else None
+    sizes = [abs(x) for x in solution.tolist()]
+    if not all(size <= MAX_ACCELERATION for size in sizes):  # no number is not either
+        return None
+    residual: Array = matrix.dot(solution)
+    residual -= wanted
+    residual /= _scale(matrix) if scale is None else scale
+    limit = 1e-9 * (1.0 + max(sizes, default=0.0))
+    return solution if all(-limit <= x <= limit for x in residual.tolist()) else None
 
 
 def _least_norm(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:

@@ -17,7 +17,7 @@ from sim2reason.simulation.engines.mujoco.forces import (
     SwitchState,
 )
 from sim2reason.simulation.engines.mujoco.integration import Knot
-from sim2reason.simulation.engines.mujoco.margins import EventMargin
+from sim2reason.simulation.engines.mujoco.margins import EventFunction
 from sim2reason.simulation.engines.mujoco.model import CompiledModel
 from sim2reason.simulation.engines.mujoco.record import MotionRecord, present_problem
 from sim2reason.simulation.trace import Event
@@ -57,7 +57,7 @@ class InstantSolver:
             s > CONTACT_DISTANCE or (abs(s) <= CONTACT_DISTANCE and rate > 0.0) for s, rate in strains
         ]
         self.mode: ContactMode | None = None
-        self.due: list[EventMargin] = []
+        self.due: list[EventFunction] = []
         self.record = MotionRecord(self.model)
         self.events: list[Event] = []
         self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
@@ -102,8 +102,10 @@ class InstantSolver:
         pulls = (found.rows > faint) | (found.unknown[: len(rows)] > 0.0)
         holding = [row.gradient for row, pulled in zip(rows, pulls, strict=True) if row.both or pulled]
         shut = [i for i, face in enumerate(found.mode.faces) if face]
-        holding += [np.eye(self.model.size)[self.model.rises[i]] for i in shut]
-        holding += [self.model.slips[i] for i in shut if self.model.friction[i] > 0.0 and not found.mode.rubbing[i]]
+        holding += [np.eye(self.model.size)[self.model.faces.rises[i]] for i in shut]
+        holding += [
+            self.model.faces.slips[i] for i in shut if self.model.faces.friction[i] > 0.0 and not found.mode.rubbing[i]
+        ]
         held = np.array(holding).reshape(len(holding), self.model.size) @ free
         if np.linalg.matrix_rank(held, tol=FREE_MOTION_TOL) == free.shape[1]:
             return []
@@ -123,7 +125,7 @@ class InstantSolver:
 
     def _sliding(self) -> tuple[int, ...]:
         """Return the direction of slip of each face; a face at the friction limit begins to slip."""
-        speeds = self.model.slips @ self.v
+        speeds = (self.model.faces.slips @ self.v).tolist()
         sides = [int(np.sign(speed)) if abs(speed) > REST_SPEED else 0 for speed in speeds]
         for due in self.due:
             if due.kind == "grip":
@@ -131,7 +133,8 @@ class InstantSolver:
             elif due.kind == "slip":
                 sides[due.number] = 0
         return tuple(
-            side if 0.0 < mu < UNLIMITED_FRICTION else 0 for side, mu in zip(sides, self.model.friction, strict=True)
+            side if 0.0 < mu < UNLIMITED_FRICTION else 0
+            for side, mu in zip(sides, self.model.faces.friction, strict=True)
         )
 
     def _may_act(self, number: int, row: Row) -> bool:
@@ -150,13 +153,13 @@ class InstantSolver:
 
         Of undetermined forces some let it slide at no speed.
         """
-        sliding, started = self._sliding(), self.model.slips @ found.x
+        sliding, started = self._sliding(), self.model.faces.slips @ found.x
         sides = zip(found.mode.rubbing, sliding, started, strict=True)
         return tuple(side if slides or abs(begins) > REST_SPEED else 0 for side, slides, begins in sides)
 
     def _lift(self, found: ForceSolution, least: float) -> None:
         """Record the end of the motion at open faces; under constant forces only if these open faster than `least`."""
-        for number, (shut, rise) in enumerate(zip(found.mode.faces, self.model.rises, strict=True)):
+        for number, (shut, rise) in enumerate(zip(found.mode.faces, self.model.faces.rises, strict=True)):
             if not shut and not (self.model.constant and found.x[rise] <= least):
                 self.end("lift", self.mechanism.faces[number].subject)
 
@@ -238,10 +241,10 @@ class InstantSolver:
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
         """Compute the velocities just after an impact, as in the problem of forces but with momenta as loads."""
         instant, every = self._impact_problem(rows, acts, touching)
-        speeds = self.model.slips @ self.v
+        speeds = self.model.faces.slips @ self.v
         sides = tuple(
             int(np.sign(s)) if abs(s) > REST_SPEED and mu < UNLIMITED_FRICTION else 0
-            for s, mu in zip(speeds, self.model.friction, strict=True)
+            for s, mu in zip(speeds, self.model.faces.friction, strict=True)
         )
         began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
         solution = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
@@ -270,7 +273,7 @@ class InstantSolver:
         every, faces = [*rows, *hits], len(self.mechanism.faces)
         instant = present_problem(self.model, every, (0,) * faces, (*full, *(True for _ in hits)))
         targets = [float(row.gradient @ self.v) - row.rate for row in rows] + [row.target for row in hits]
-        return replace(instant, loads=instant.inertia @ self.v, targets=np.array(targets)), every
+        return replace(instant, loads=instant.inertia @ self.v, targets=targets), every
 
     def _ends_crowded(self, hits: list[int], snapped: list[str]) -> bool:
         """End the motion if a body is hit, or a string jerks, again too soon."""

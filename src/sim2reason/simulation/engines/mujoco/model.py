@@ -5,6 +5,7 @@ soft constraints are not used.
 """
 
 from itertools import pairwise
+from math import isfinite, nan
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,21 @@ from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechani
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
-from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
+from sim2reason.simulation.engines.mujoco.distances import (
+    Attractions,
+    Lengths,
+    Lines,
+    PointMotion,
+    Pulls,
+    distance,
+    separated,
+)
 from sim2reason.simulation.engines.mujoco.forces import (
-    MAX_ACCELERATION,
     UNLIMITED_FRICTION,
+    Faces,
     Row,
     SwitchState,
+    is_moderate,
     solve_regular,
 )
 from sim2reason.simulation.engines.mujoco.specification import SUBSTITUTE_MASS, Specification, mujoco
@@ -45,30 +55,51 @@ class CompiledModel:
         self.size = int(self._model.nv)
         self.index = {c.name: int(spec.joints[c.name].id) for c in mechanism.coordinates}
         self.coordinates = np.array([self.index[c.name] for c in mechanism.coordinates], dtype=np.intp)
-        self.rises = [int(spec.faces[face.subject].id) for face in mechanism.faces]
         self._site_id = {name: int(site.id) for name, site in spec.sites.items()}
         self._body_id = {name: int(body.id) for name, body in spec.bodies.items()}
         self._carriers = [int(body) for body in self._model.site_bodyid]
         self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
         self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
+        self._view()
+        self._cost = STAND + JOINT * self.size
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
-        compiled_in = self._site_id, self.index, self._model
+        self._massless = any(body.coordinates and body.mass == 0.0 for body in mechanism.bodies)
+        compiled_in = self._site_id, self.index, self._model, self._data
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
         self.directions = steady(mechanism)
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, directions=self.directions)
         self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
         self._pulls = Pulls(self._drawn)
-        self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
-        self.slips, self._light = self._slips(), [burn.body for burn in mechanism.burns]
+        self._halves = [pulls.index(line) for line, _ in mechanism.half_springs]
+        self._attracted = Attractions(
+            mechanism.attractions, self._body_id, self._model, self._data, straight=self._straight
+        )
+        self._light = [burn.body for burn in mechanism.burns]
+        self.faces = self._faces({name: int(joint.id) for name, joint in spec.faces.items()})
+        self.time, self.q, self.v = nan, np.zeros(0), np.zeros(0)
         self.begin()
 
-    def _slips(self) -> Array:
-        """Return the gradients of the slip of each face, (faces, joints)."""
-        found = np.zeros((len(self.mechanism.faces), self.size))
-        for number, face in enumerate(self.mechanism.faces):
+    def _view(self) -> None:
+        """Store views of MuJoCo's arrays, whose memory does not move; each look-up of one takes time."""
+        data = self._data
+        self._qpos, self._qvel, self._bias = data.qpos, data.qvel, data.qfrc_bias
+        self._gravcomp = data.qfrc_gravcomp if self._model.ngravcomp else None
+        self._sites = {name: data.site_xpos[number] for name, number in self._site_id.items()}
+        self._centers = {name: data.xipos[number] for name, number in self._body_id.items()}
+
+    def _faces(self, rises: dict[str, int]) -> Faces:
+        """Return the faces, from the joints by which bodies leave them."""
+        faces, slips = self.mechanism.faces, np.zeros((len(self.mechanism.faces), self.size))
+        for number, face in enumerate(faces):
             for name, factor in face.slip:
-                found[number, self.index[name]] = factor
-        return found
+                slips[number, self.index[name]] = factor
+        return Faces(
+            [rises[face.subject] for face in faces],
+            slips,
+            [min(face.friction, UNLIMITED_FRICTION) for face in faces],
+            [face.static_friction for face in faces],
+            [face.guided for face in faces],
+        )
 
     # ---- one state
 
@@ -83,7 +114,8 @@ class CompiledModel:
         start = SwitchState([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
         self.set_state(0.0, rest, rest, start)
         self._check_apart()
-        self._starts = self._lines()[0].values
+        self._attracted.begin()
+        self._starts = self._lines()[0].values.tolist()
         masses = self.inertia().diagonal()
         self.uneven = bool((masses < MIN_INERTIA_RATIO * float(masses.max(initial=0.0))).any())
 
@@ -102,16 +134,19 @@ class CompiledModel:
 
     def set_state(self, time: float, q: Array, v: Array, switches: SwitchState) -> None:
         """Set the positions and velocities of the joints at a time."""
-        self.budget.spend(STAND + JOINT * self.size)
-        self.time, self.q, self.v, self._switches_now = time, q, v, switches
+        self.budget.spend(self._cost)
+        was = self.time
+        self._switches_now = switches
+        self._rows: list[Row] | None = None
+        if time == was and not self._light and q.tobytes() == self.q.tobytes() and v.tobytes() == self.v.tobytes():
+            return
+        self.time, self.q, self.v = time, q, v
         self._points: dict[tuple[str, str], PointMotion] = {}
         self._measured: tuple[Lengths, Array] | None = None
-        self._data.qpos[:] = q
-        self._data.qvel[:] = v
         if self._light:
+            self._qpos[:], self._qvel[:] = q, v
             self._burn()
-            self._data.qpos[:] = q
-            self._data.qvel[:] = v
+        self._qpos[:], self._qvel[:] = q, v
         mujoco.mj_fwdPosition(self._model, self._data)
         mujoco.mj_fwdVelocity(self._model, self._data)
 
@@ -132,37 +167,35 @@ class CompiledModel:
 
     def weightless(self) -> Array:
         """Return the motions of massless parts that need no force, (joints, k), orthonormal."""
-        if not any(body.coordinates and body.mass == 0.0 for body in self.mechanism.bodies):
+        if not self._massless:
             return np.zeros((self.size, 0))
         sizes, motions = np.linalg.eigh(self.inertia())
         return motions[:, sizes < 10.0 * SUBSTITUTE_MASS]
 
-    def free_acceleration(self, loads: Array) -> Array:
-        """Return the accelerations (joints,) under `loads` (joints,) without any constraint."""
-        found = np.zeros((1, self.size))
-        mujoco.mj_solveM(self._model, self._data, found, loads[None])
-        return np.asarray(found[0], dtype=np.float64)
+    def accelerate(self, loads: Array, x: Array) -> None:
+        """Store in `x` (joints,) the accelerations under `loads` (joints,) without any constraint."""
+        mujoco.mj_solveM(self._model, self._data, x[None], loads[None])
 
-    def constrained_acceleration(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
+    def constrained_acceleration(self, loads: Array, gradients: Array, targets: list[float]) -> Array | None:
         """Return the accelerations (joints,) under `loads` with only these rows (rows, joints) acting; None on failure.
 
         They are the accelerations without rows, corrected by the few constraint forces: M⁻¹Jᵀλ.
         """
         sides = np.concatenate([loads[None], gradients])
-        found = np.zeros_like(sides)
+        found = np.empty_like(sides)
         mujoco.mj_solveM(self._model, self._data, found, sides)
         free, given = found[0], found[1:]
-        if not np.isfinite(found).all():  # a part without mass
+        if not all(map(isfinite, found.ravel().tolist())):  # a part without mass
             return None
         if len(targets) > 1:
-            pulls = solve_regular(gradients @ given.T, gradients @ free - targets)
+            pulls = solve_regular(gradients @ given.T, gradients @ free - np.array(targets))
             return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
         gradient, answer = gradients[0], given[0]
-        yielding = float(gradient @ answer)
+        yielding = float(gradient.dot(answer))
         if not yielding > 0.0:
             return None
-        x = free - (float(gradient @ free) - float(targets[0])) / yielding * answer
-        return x if abs(x).max(initial=0.0) < MAX_ACCELERATION else None
+        x = free - (float(gradient.dot(free)) - targets[0]) / yielding * answer
+        return x if is_moderate(x) else None
 
     def _point_motion(self, kind: str, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site or a centre of mass."""
@@ -170,30 +203,30 @@ class CompiledModel:
         if known is not None:
             return known
         if kind == "site":
-            number = self._site_id[name]
-            place, carrier = np.array(self._data.site_xpos[number]), self._carriers[number]
+            place, carrier = self._sites[name], self._carriers[self._site_id[name]]
         else:
-            carrier = self._body_id[name]
-            place = np.array(self._data.xipos[carrier])
-        slide = self._slides.get((kind, name))
-        if slide is not None:
-            found = self._points[kind, name] = PointMotion(place, slide @ self.v, self._still, slide)
-            return found
-        jacobian, dot = np.zeros((3, self.size)), np.zeros((3, self.size))
-        if carrier == 0:  # the room
-            self._slides[kind, name] = jacobian
-            found = self._points[kind, name] = PointMotion(place, self._still, self._still, jacobian)
-            return found
-        mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
-        mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
-        if self._straight:
-            self._slides[kind, name] = jacobian
-        found = self._points[kind, name] = PointMotion(place, jacobian @ self.v, dot @ self.v, jacobian)
+            place, carrier = self._centers[name], self._body_id[name]
+        jacobian = self._slides.get((kind, name))
+        if jacobian is None:
+            jacobian = np.zeros((3, self.size))
+            if carrier:
+                mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
+            if self._straight or not carrier:  # nothing turns, or the point belongs to the room
+                self._slides[kind, name] = jacobian
+        found = self._points[kind, name] = PointMotion(place, jacobian @ self.v, jacobian)
         return found
 
+    def _bias_of(self, place: Array, carrier: int) -> Array:
+        """Return the acceleration at q̈ = 0 of a point of a body."""
+        if self._straight or not carrier:
+            return self._still
+        dot = np.zeros((3, self.size))
+        mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
+        return np.asarray(dot @ self.v, dtype=np.float64)
+
     def place(self, site: str) -> Array:
-        """Return the position of a site, (3,)."""
-        return np.array(self._data.site_xpos[self._site_id[site]])
+        """Return the present position of a site, (3,), valid until the next state is set."""
+        return self._sites[site]
 
     def site(self, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site."""
@@ -207,20 +240,20 @@ class CompiledModel:
 
     def loads(self) -> Array:
         """Return all loads except constraint forces, (joints,), including gravity and inertial loads."""
-        total = -np.array(self._data.qfrc_bias)
-        if self._model.ngravcomp:
-            total += self._data.qfrc_gravcomp
+        total: Array = np.negative(self._bias)
+        if self._gravcomp is not None:
+            total += self._gravcomp
         mechanism = self.mechanism
         if self._drawn.lines:
             halves = zip(mechanism.half_springs, self._switches_now.strained, strict=True)
-            total += self._pulls.load(self._data, self.q, self.v, [line for (line, _), on in halves if not on])
+            total += self._pulls.load(self.q, self.v, [line for (line, _), on in halves if not on])
         for number, force in enumerate(mechanism.forces):
             if all(self._switches_now.inside[number]):
                 point = self.center(force.body)
                 pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
                 total += np.array([float(part) for part in pushed]) @ point.jacobian
         if mechanism.attractions:
-            total += self._attracted.load(self._data)
+            total += self._attracted.load()
         for burn, burning in zip(mechanism.burns, self._switches_now.burning, strict=True):
             if burning:
                 frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)
@@ -230,20 +263,22 @@ class CompiledModel:
 
     def closeness(self) -> float:
         """Return the smallest ratio of an attracting pair's present distance to the initial one, at most 1."""
-        return self._attracted.closeness(self._data)
+        return self._attracted.closeness()
 
     # ---- lengths and rows
 
     def _lines(self) -> tuple[Lengths, Array]:
         """Return the lengths of the constrained lines, and their second derivatives at q̈ = 0."""
         if self._measured is None:
-            found = self._rowed.lengths(self._data, self.q)
-            self._measured = found, self._rowed.bends(self._data, self.v, found.segments)
+            found = self._rowed.lengths(self.q)
+            self._measured = found, self._rowed.bends(self.v, found.segments)
         return self._measured
 
     def rows(self) -> list[Row]:
         """Return all constraint rows: lines, two rows for each foot, pairs that stick together."""
-        return [self.row(number) for number in range(self.count)]
+        if self._rows is None:
+            self._rows = [self.row(number) for number in range(self.count)]
+        return self._rows
 
     @property
     def count(self) -> int:
@@ -262,56 +297,78 @@ class CompiledModel:
         gap, rate, gradient, bias = self.separation(meeting)
         return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
 
+    def condition(self, number: int) -> tuple[Array, float]:
+        """Return the gradient (joints,) and the target of a constraint row by its index."""
+        if number >= len(self._rowed.lines):
+            row = self.row(number)
+            return row.gradient, row.target
+        found, bends = self._lines()
+        gradient, bias = found.gradients[number], float(bends[number])
+        return (-gradient, bias) if isinstance(self._rowed.lines[number].law, Prop) else (gradient, -bias)
+
     def _foot_row(self, index: int, number: int) -> Row:
         """Return the row that keeps a foot above its plane (even index) or from slipping on it."""
         foot = self.mechanism.feet[index]
         point, normal = self.site(foot.site), np.array(foot.normal)
         gap = float(normal @ point.place) - foot.height
+        bias = self._bias_of(point.place, self._carriers[self._site_id[foot.site]])
         if number % 2 == len(self._rowed.lines) % 2:
             down = -normal @ point.jacobian
-            return Row("foot", foot.name, down, gap, float(down @ self.v), float(normal @ point.bias))
+            return Row("foot", foot.name, down, gap, float(down @ self.v), float(normal @ bias))
         along = np.array(foot.along)
         aside = along @ point.jacobian
-        return Row("hold", foot.name, aside, gap, float(aside @ self.v), -float(along @ point.bias), number - 1)
+        return Row("hold", foot.name, aside, gap, float(aside @ self.v), -float(along @ bias), number - 1)
 
     def _line_row(self, number: int) -> Row:
-        line, (found, bends) = self._rowed.lines[number], self._lines()
-        gradient, bias = found.gradients[number], float(bends[number])
-        rate, over = float(gradient @ self.v), float(found.values[number] - self._starts[number])
-        if isinstance(line.law, Prop):
-            return Row(line.law.row, line.name, -gradient, over, -rate, bias)
-        if isinstance(line.law, Rigid):
-            return Row(line.law.row, line.name, gradient, -over, rate, -bias)
-        assert isinstance(line.law, Inextensible)
-        spare = line.law.slack - over - line.law.reel * self.time
-        return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
+        law, name = self._rowed.lines[number].law, self._rowed.lines[number].name
+        gradient, target = self.condition(number)
+        rate, over = float(gradient @ self.v), float(self._lines()[0].values[number]) - self._starts[number]
+        if isinstance(law, Prop):
+            return Row(law.row, name, gradient, over, rate, target)
+        if isinstance(law, Rigid):
+            return Row(law.row, name, gradient, -over, rate, target)
+        assert isinstance(law, Inextensible)
+        spare = law.slack - over - law.reel * self.time
+        return Row(law.row, name, gradient, spare, rate + law.reel, target)
+
+    def gap(self, meeting: CollisionPair) -> float:
+        """Return the present gap of a collision pair, m."""
+        apart = self._apart(meeting)
+        if meeting.normal is None:
+            return separated(apart) - meeting.distance
+        return float(np.array(meeting.normal).dot(apart)) - meeting.distance
+
+    def _apart(self, meeting: CollisionPair) -> Array:
+        """Return the vector between the centres of mass of a collision pair; from the origin if one is the room."""
+        other = self._centers[meeting.b]
+        return other if meeting.a is None else np.subtract(other, self._centers[meeting.a])
 
     def separation(self, meeting: CollisionPair) -> tuple[float, float, Array, float]:
         """Return the gap of a collision pair, its rate, gradient and second derivative at q̈ = 0."""
-        other = self.center(meeting.b)
-        still = np.zeros(3)
-        one = (
-            PointMotion(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
-        )
+        other, still = self.center(meeting.b), self._still
+        bias = self._bias_of(other.place, self._body_id[meeting.b])
+        if meeting.a is None:
+            one = PointMotion(still, still, np.zeros((3, self.size)))
+        else:
+            one = self.center(meeting.a)
+            bias = bias - self._bias_of(one.place, self._body_id[meeting.a])
         if meeting.normal is None:
-            length, rate, gradient, bias = distance(one, other)
-            return length - meeting.distance, rate, gradient, bias
+            length, rate, gradient, bend = distance(one, other, bias)
+            return length - meeting.distance, rate, gradient, bend
         normal = np.array(meeting.normal)
         gradient = normal @ (other.jacobian - one.jacobian)
-        gap = float(normal @ (other.place - one.place)) - meeting.distance
-        return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
+        gap = float(normal.dot(other.place - one.place)) - meeting.distance
+        return gap, float(gradient @ self.v), gradient, float(normal.dot(bias))
 
     def square_gap(self, meeting: CollisionPair) -> float:
         """Return a gap as a polynomial of positions: for centres r apart that meet at a distance d, (r² − d²)/2d.
 
         It has the zero of r − d and the slope there, and exists where the centres coincide.
         """
-        apart = self._data.xipos[self._body_id[meeting.b]]
-        if meeting.a is not None:
-            apart = apart - self._data.xipos[self._body_id[meeting.a]]
         if meeting.normal is not None:
-            return float(np.dot(meeting.normal, apart)) - meeting.distance
-        square = float(apart @ apart)
+            return self.gap(meeting)
+        apart = self._apart(meeting)
+        square = float(apart.dot(apart))
         return 0.5 * (square / meeting.distance - meeting.distance) if meeting.distance else square
 
     def borders(self, number: int) -> list[float]:
@@ -319,21 +376,26 @@ class CompiledModel:
         force = self.mechanism.forces[number]
         if force.region is None:
             return []
-        place = _triple(self.center(force.body).place)
+        place = _triple(self._centers[force.body])
         return [float(margin) for margin in force.region.margins(place, np)]
 
     def strain(self, number: int) -> tuple[float, float]:
         """Return the active deformation of a one-sided spring, m, and its rate."""
-        line, law = self.mechanism.half_springs[number]
-        place = self._drawn.lines.index(line)
-        found = self._drawn.lengths(self._data, self.q)
+        _, law = self.mechanism.half_springs[number]
+        place = self._halves[number]
+        found = self._drawn.lengths(self.q)
         length, rate = float(found.values[place]), float(found.gradients[place] @ self.v)
         return law.side * (length - law.length), law.side * rate
 
-    @property
-    def friction(self) -> Array:
-        """Return the friction coefficients of the faces; a large number represents a face that never slips."""
-        return np.array([min(face.friction, UNLIMITED_FRICTION) for face in self.mechanism.faces])
+    def deformations(self) -> list[float]:
+        """Return the active deformations of the one-sided springs, m."""
+        if not self.mechanism.half_springs:
+            return []
+        values = self._drawn.values(self.q).tolist()
+        return [
+            law.side * (values[place] - law.length)
+            for place, (_, law) in zip(self._halves, self.mechanism.half_springs, strict=True)
+        ]
 
 
 def _triple(vector: Array) -> Triple:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import nan
+from math import nan, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +46,8 @@ class MotionRecord:
         self._model = model
         self.intervals: list[ModeInterval] = []
         self.runs = self._runs()
-        self._directions = [model.directions.get(run) for run in self.runs]
+        kept = (model.directions.get(run) for run in self.runs)
+        self._directions = [None if direction is None else np.array(direction) for direction in kept]
 
     def _runs(self) -> list[tuple[str, str]]:
         """Return the ends of the straight line segments that may coincide."""
@@ -64,19 +65,19 @@ class MotionRecord:
     def run_length(self, number: int) -> float:
         """Return the distance of the ends of a line segment, m; negative once they have passed through each other."""
         first, last = self.runs[number]
-        separation, direction = self._model.place(last) - self._model.place(first), self._directions[number]
+        separation, direction = np.subtract(self._model.place(last), self._model.place(first)), self._directions[number]
         if direction is None:
-            return float(np.linalg.norm(separation)) - PASSING_DISTANCE
-        return float(separation @ np.array(direction)) - COINCIDENCE_DISTANCE
+            return sqrt(separation.dot(separation)) - PASSING_DISTANCE
+        return float(separation.dot(direction)) - COINCIDENCE_DISTANCE
 
     def run_rate(self, number: int) -> float:
         """Return the rate of change of the distance of the ends of a line segment at present, m/s."""
         first, last = (self._model.site(name) for name in self.runs[number])
         separation, parting = last.place - first.place, last.velocity - first.velocity
-        direction, far = self._directions[number], float(np.linalg.norm(separation))
+        direction, far = self._directions[number], sqrt(separation.dot(separation))
         if direction is None and far == 0.0:
-            return -float(np.linalg.norm(parting))
-        return float((separation / far if direction is None else np.array(direction)) @ parting)
+            return -sqrt(parting.dot(parting))
+        return float((separation / far if direction is None else direction).dot(parting))
 
     @property
     def last(self) -> Knot:
@@ -115,13 +116,13 @@ class MotionRecord:
 
         Forces that the motion does not determine are NaN.
         """
-        lines, found = len(self._model.mechanism.constraints), [interval.found]
+        lines, rows, found = len(self._model.mechanism.constraints), len(interval.found.rows), [interval.found]
         if not self._model.constant:
             found = [self._forces_at(interval, *at) for at in zip(times.tolist(), values, strict=True)]
-        every = np.array([np.concatenate([each.rows, each.normal, each.friction]) for each in found])
-        every[:, interval.found.unknown > 0.0] = nan
-        kept = np.r_[:lines, len(interval.found.rows) : every.shape[1]]
-        return np.array([each.x for each in found]), every[:, kept]
+        every = np.array([np.concatenate([each.rows[:lines], each.normal, each.friction]) for each in found])
+        unknown = interval.found.unknown
+        every[:, np.concatenate([unknown[:lines], unknown[rows:]]) > 0.0] = nan
+        return np.array([each.x for each in found]), every
 
     def _forces_at(self, interval: ModeInterval, time: float, values: Array) -> ForceSolution:
         n = self._model.size
@@ -159,15 +160,11 @@ def present_problem(
         model.inertia().copy(),
         model.loads(),
         np.array([row.gradient for row in rows]).reshape(len(rows), model.size),
-        np.array([row.target for row in rows]),
-        tuple(row.both for row in rows),
-        tuple(row.follows for row in rows),
-        model.rises,
-        model.slips,
-        model.friction,
-        np.array([face.static_friction for face in model.mechanism.faces]),
+        [row.target for row in rows],
+        tuple([row.both for row in rows]),
+        tuple([row.follows for row in rows]),
+        model.faces,
         sliding,
-        tuple(face.guided for face in model.mechanism.faces),
         allowed,
         model.budget,
     )
