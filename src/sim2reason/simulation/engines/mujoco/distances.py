@@ -48,17 +48,17 @@ def distance(one: PointMotion, other: PointMotion, bias: Array) -> tuple[float, 
 
 
 class Segments(NamedTuple):
-    """The straight segments of lines: lengths, directions, and Jacobians of separation (segments, 3, joints)."""
+    """The straight segments of lines: lengths, directions, and Jacobians of separation (3, joints)."""
 
     runs: list[float]
-    directions: Array  # (segments, 3)
-    moved: Array
+    directions: list[Vector]
+    moved: list[Array]
 
 
 class Lengths(NamedTuple):
     """The lengths of lines, m, with gradients (lines, joints) and straight segments."""
 
-    values: Array
+    values: list[float]
     gradients: Array
     segments: Segments
 
@@ -88,39 +88,49 @@ class Lines:
         names = sorted({name for line in lines for name in line.through})
         place = {name: number for number, name in enumerate(names)}
         segments = [(owner, ends) for owner, line in enumerate(lines) for ends in pairwise(line.through)]
-        self._model, self._data, self._straight = model, data, straight
+        self._model, self._data, self._straight, self._joints = model, data, straight, int(model.nv)
         self._moving = [
             (number, data.site_xpos[sites[name]], int(model.site_bodyid[sites[name]]))
             for number, name in enumerate(names)
             if model.site_bodyid[sites[name]]
         ]  # the sites of bodies: number, position (a view) and body
-        self._first = np.array([place[first] for _, (first, _) in segments], dtype=np.intp)
-        self._last = np.array([place[last] for _, (_, last) in segments], dtype=np.intp)
+        self._first = [place[first] for _, (first, _) in segments]
+        self._last = [place[last] for _, (_, last) in segments]
         self._ends = [(sites[first], sites[last], directions.get((first, last))) for _, (first, last) in segments]
-        self._owned, self._wound = np.zeros((len(lines), len(segments))), np.zeros((len(lines), int(model.nv)))
+        self._owned, self._wound = np.zeros((len(lines), len(segments))), np.zeros((len(lines), self._joints))
         for number, (owner, _) in enumerate(segments):
             self._owned[owner, number] = 1.0
         for owner, line in enumerate(lines):
             for wheel in line.wheels:
                 self._wound[owner, index[wheel.coordinate]] += wheel.radius
         self._wheels, self._single = bool(self._wound.any()), len(segments) == len(lines)
-        self._apart: Array | None = None  # how the Jacobians of the ends of each piece differ, where nothing turns
-        self._jacobians = np.zeros((len(names), 3, int(model.nv)))
+        self._apart: list[Array] = []  # how the Jacobians of the ends of each segment differ
+        self._columns: list[list[list[float]]] = []  # their columns
+        self._jacobians = np.zeros((len(names), 3, self._joints))
         self._dots = np.zeros_like(self._jacobians)
 
-    def values(self, q: Array) -> Array:
-        """Return the lengths of the lines, (lines,), m."""
-        values = self._sum_segments(np.array(self._measure()[0]))
-        return values + self._wound @ q if self._wheels else values
+    def values(self, q: Array) -> list[float]:
+        """Return the lengths of the lines, m."""
+        return self._lengths(self._measure()[0], q)
+
+    def _lengths(self, runs: list[float], q: Array) -> list[float]:
+        if self._single and not self._wheels:
+            return runs
+        values = self._sum_segments(np.array(runs))
+        return (values + self._wound @ q if self._wheels else values).tolist()
 
     def lengths(self, q: Array) -> Lengths:
         """Return the lengths of the lines, with gradients and segments."""
-        runs, units = self._measure()
-        directions, moved = np.array(units).reshape(len(runs), 3), self._jacobians_apart()
-        values, gradients = self._sum_segments(np.array(runs)), self._sum_segments(np.vecmat(directions, moved))
+        runs, directions = self._measure()
+        self._differ()
+        parts = [
+            [0.0 + x * a + y * b + z * c for a, b, c in columns]  # without negative zeros, as in a sum
+            for (x, y, z), columns in zip(directions, self._columns, strict=True)
+        ]
+        gradients = self._sum_segments(np.array(parts).reshape(len(parts), self._joints))
         if self._wheels:
-            values, gradients = values + self._wound @ q, gradients + self._wound
-        return Lengths(values, gradients, Segments(runs, directions, moved))
+            gradients = gradients + self._wound
+        return Lengths(self._lengths(runs, q), gradients, Segments(runs, directions, self._apart))
 
     def _measure(self) -> tuple[list[float], list[Vector]]:
         """Return the lengths and directions of the segments; floats, since few numbers take numpy longer."""
@@ -141,39 +151,38 @@ class Lines:
             directions.append(direction)
         return runs, directions
 
-    def bends(self, v: Array, segments: Segments) -> Array:
+    def bends(self, v: Array, segments: Segments) -> list[float]:
         """Return the second derivatives of the lengths at q̈ = 0, m/s²."""
         runs, directions, moved = segments
-        partings = (moved @ v).tolist()
         second_derivatives = [
-            _turning(parting, direction, run) if kept is None else 0.0
-            for (*_, kept), parting, direction, run in zip(self._ends, partings, directions.tolist(), runs, strict=True)
+            _turning(jacobian.dot(v).tolist(), direction, run) if kept is None else 0.0
+            for (*_, kept), jacobian, direction, run in zip(self._ends, moved, directions, runs, strict=True)
         ]
-        if self._straight:
-            return self._sum_segments(np.array(second_derivatives))
-        for number, place, carrier in self._moving:
-            mujoco.mj_jacDot(self._model, self._data, self._dots[number], None, place, carrier)
-        biases = self._dots @ v
-        along = np.vecdot(directions, biases.take(self._last, axis=0) - biases.take(self._first, axis=0))
-        along += second_derivatives
-        return self._sum_segments(along)
+        if not self._straight:
+            for number, place, carrier in self._moving:
+                mujoco.mj_jacDot(self._model, self._data, self._dots[number], None, place, carrier)
+            biases = [dot.dot(v).tolist() for dot in self._dots]
+            for number, (first, last, (a, b, c)) in enumerate(zip(self._first, self._last, directions, strict=True)):
+                (x, y, z), (along, across, up) = biases[first], biases[last]
+                second_derivatives[number] += a * (along - x) + b * (across - y) + c * (up - z)
+        return self._sum_segments(np.array(second_derivatives)).tolist()
 
     def _sum_segments(self, parts: Array) -> Array:
         """Return, for each line, the sum of the values of its segments."""
         return parts if self._single else self._owned @ parts
 
-    def _jacobians_apart(self) -> Array:
-        """Return the Jacobian of the separation of each segment's ends, (segments, 3, joints)."""
-        if self._apart is not None:
-            return self._apart
+    def _differ(self) -> None:
+        """Compute the Jacobian of the separation of each segment's ends."""
+        if self._straight and self._apart:
+            return
         for number, place, carrier in self._moving:
             mujoco.mj_jac(self._model, self._data, self._jacobians[number], None, place, carrier)
-        moved = self._jacobians.take(self._last, axis=0) - self._jacobians.take(self._first, axis=0)
-        self._apart = moved if self._straight else None
-        return moved
+        ends = zip(self._first, self._last, strict=True)
+        self._apart = [np.subtract(self._jacobians[last], self._jacobians[first]) for first, last in ends]
+        self._columns = [jacobian.T.tolist() for jacobian in self._apart]
 
 
-def _turning(parting: list[float], direction: list[float], run: float) -> float:
+def _turning(parting: list[float], direction: Vector, run: float) -> float:
     """Return the part of the second derivative of a length by which the velocity turns the segment."""
     (x, y, z), (a, b, c) = parting, direction
     along = a * x + b * y + c * z
@@ -186,23 +195,25 @@ class Pulls:
     def __init__(self, lines: Lines) -> None:
         """Store the force laws as arrays."""
         self._lines = lines
-        laws = [line.law for line in lines.lines]
-        self._given, self._stiffness, self._natural, self._damping = (
-            np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
-        )
+        laws, names = [line.law for line in lines.lines], ("force", "stiffness", "length")
+        self._laws = [tuple(float(getattr(law, name, 0.0)) for name in names) for law in laws]
+        self._damping = np.array([getattr(law, "damping", 0.0) for law in laws])
         self._damps = bool(self._damping.any())
 
     def load(self, q: Array, v: Array, idle: list[Line]) -> Array:
         """Return the load on the joints, (joints,), of all lines except `idle` ones."""
         values, gradients, _ = self._lines.lengths(q)
-        tension: Array = values - self._natural
-        tension *= self._stiffness
-        tension += self._given
+        laws = zip(self._laws, values, strict=True)
+        push: Array = np.array(
+            [-(given + stiffness * (value - natural)) for (given, stiffness, natural), value in laws]
+        )
         if self._damps:
-            tension += self._damping * (gradients @ v)
+            push -= self._damping * gradients.dot(v)
         if idle:
-            tension *= [line not in idle for line in self._lines.lines]
-        return np.asarray(-tension @ gradients, dtype=np.float64)
+            push *= [line not in idle for line in self._lines.lines]
+        load: Array = push.dot(gradients)
+        load += 0.0  # no negative zero
+        return load
 
 
 class Attractions:
@@ -221,6 +232,7 @@ class Attractions:
         self._pairs, self._model, self._data, self._straight = pairs, model, data, straight
         self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
         self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)
+        self._ends = [(bodies[pair.a], bodies[pair.b]) for pair in pairs]
         self._constants = np.array([pair.constant for pair in pairs])
         self._exponents = np.array([-0.5 * (pair.power + 1.0) for pair in pairs])
         self._bodies = sorted({*self._first.tolist(), *self._last.tolist()})
@@ -241,23 +253,29 @@ class Attractions:
         squares = self._squares()[1]
         return max(MIN_CLOSENESS, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
-    def _squares(self) -> tuple[Array, Array]:
-        """Return the separation of the centres of mass of each pair, (pairs, 3), m, and its square, (pairs,), m²."""
-        places = self._data.xipos
-        separations: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        return separations, np.vecdot(separations, separations)
+    def _squares(self) -> tuple[list[Vector], Array]:
+        """Return the separation of the centres of mass of each pair, m, and its square, (pairs,), m²."""
+        places: list[list[float]] = self._data.xipos.tolist()
+        separations: list[Vector] = []
+        for first, last in self._ends:
+            (x, y, z), (a, b, c) = places[first], places[last]
+            separations.append((a - x, b - y, c - z))
+        return separations, np.array([x * x + y * y + z * z for x, y, z in separations])
 
     def load(self) -> Array:
         """Return the load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass, for present masses."""
         separations, squares = self._squares()
-        if 0.0 in squares.tolist():
+        if not squares.all():
             pair = self._pairs[int(squares.argmin())]
             raise SimulationError(f"{pair.a} and {pair.b} are at one place")
         masses = self._model.body_mass
         pulls: Array = self._constants * masses.take(self._first)
         pulls *= masses.take(self._last)
         pulls *= squares**self._exponents
-        return (pulls[:, None] * separations).ravel() @ self._jacobians_apart()
+        parts = [
+            pull * part for pull, separation in zip(pulls.tolist(), separations, strict=True) for part in separation
+        ]
+        return np.array(parts).dot(self._jacobians_apart())
 
     def _jacobians_apart(self) -> Array:
         """Return the derivatives of the vector between the centres of mass of each pair, (3·pairs, joints)."""

@@ -209,8 +209,14 @@ def _side(size: int) -> Array:
 
 def _is_regular(matrix: Array, scale: Array) -> bool:
     """Return whether a system is regular, tested by the size of the solution for a random right side."""
+    return _solves((matrix / scale[:, None]).tobytes(), len(matrix))
+
+
+@lru_cache(maxsize=512)
+def _solves(scaled: bytes, size: int) -> bool:
+    """Return whether a matrix of this size is regular; cached, since that of a motion often stays the same."""
     try:
-        solution = np.linalg.solve(matrix / scale[:, None], _side(len(matrix)))
+        solution = np.linalg.solve(np.frombuffer(scaled).reshape(size, size), _side(size))
     except np.linalg.LinAlgError:
         return False
     return all(-MAX_GROWTH < x < MAX_GROWTH for x in solution.tolist())

@@ -120,11 +120,12 @@ class ActingModel:
                     x[:] = self.forces().x
                 return derivative
             conditions = [model.condition(number) for number in acts.rows]
-            rows, targets = np.array([gradient for gradient, _ in conditions]), [target for _, target in conditions]
+            rows, targets = [gradient for gradient, _ in conditions], [target for _, target in conditions]
             if not acts.closed and not model.uneven:  # M⁻¹ of a nearly massless part would leave round-off
                 found = model.constrained_acceleration(model.loads(), rows, targets)
             else:
-                matrix, wanted = system(model.inertia(), model.loads(), rows, targets, model.faces, mode, acts)
+                loads, gradients = model.loads(), np.array(rows)
+                matrix, wanted = system(model.inertia(), loads, gradients, targets, model.faces, mode, acts)
                 found = solve_regular(matrix, wanted)
             x[:] = found[:n] if found is not None else self.forces().x
             return derivative

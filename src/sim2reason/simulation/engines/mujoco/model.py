@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Line, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
@@ -115,7 +115,7 @@ class CompiledModel:
         self.set_state(0.0, rest, rest, start)
         self._check_apart()
         self._attracted.begin()
-        self._starts = self._lines()[0].values.tolist()
+        self._starts = self._lines()[0].values
         masses = self.inertia().diagonal()
         self.uneven = bool((masses < MIN_INERTIA_RATIO * float(masses.max(initial=0.0))).any())
 
@@ -142,7 +142,7 @@ class CompiledModel:
             return
         self.time, self.q, self.v = time, q, v
         self._points: dict[tuple[str, str], PointMotion] = {}
-        self._measured: tuple[Lengths, Array] | None = None
+        self._measured: tuple[Lengths, list[float]] | None = None
         if self._light:
             self._qpos[:], self._qvel[:] = q, v
             self._burn()
@@ -176,20 +176,21 @@ class CompiledModel:
         """Store in `x` (joints,) the accelerations under `loads` (joints,) without any constraint."""
         mujoco.mj_solveM(self._model, self._data, x[None], loads[None])
 
-    def constrained_acceleration(self, loads: Array, gradients: Array, targets: list[float]) -> Array | None:
-        """Return the accelerations (joints,) under `loads` with only these rows (rows, joints) acting; None on failure.
+    def constrained_acceleration(self, loads: Array, gradients: list[Array], targets: list[float]) -> Array | None:
+        """Return the accelerations (joints,) under `loads` with only the rows of these gradients acting; None on failure.
 
         They are the accelerations without rows, corrected by the few constraint forces: M⁻¹Jᵀλ.
         """
-        sides = np.concatenate([loads[None], gradients])
+        sides = np.array([loads, *gradients])
         found = np.empty_like(sides)
         mujoco.mj_solveM(self._model, self._data, found, sides)
         free, given = found[0], found[1:]
         if not all(map(isfinite, found.ravel().tolist())):  # a part without mass
             return None
         if len(targets) > 1:
-            pulls = solve_regular(gradients @ given.T, gradients @ free - np.array(targets))
-            return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
+            rows = sides[1:]
+            pulls = solve_regular(rows.dot(given.T), rows.dot(free) - targets)
+            return None if pulls is None else np.asarray(free - pulls.dot(given), dtype=np.float64)
         gradient, answer = gradients[0], given[0]
         yielding = float(gradient.dot(answer))
         if not yielding > 0.0:
@@ -213,7 +214,7 @@ class CompiledModel:
                 mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
             if self._straight or not carrier:  # nothing turns, or the point belongs to the room
                 self._slides[kind, name] = jacobian
-        found = self._points[kind, name] = PointMotion(place, jacobian @ self.v, jacobian)
+        found = self._points[kind, name] = PointMotion(place, jacobian.dot(self.v), jacobian)
         return found
 
     def _bias_of(self, place: Array, carrier: int) -> Array:
@@ -222,7 +223,7 @@ class CompiledModel:
             return self._still
         dot = np.zeros((3, self.size))
         mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
-        return np.asarray(dot @ self.v, dtype=np.float64)
+        return np.asarray(dot.dot(self.v), dtype=np.float64)
 
     def place(self, site: str) -> Array:
         """Return the present position of a site, (3,), valid until the next state is set."""
@@ -245,20 +246,23 @@ class CompiledModel:
             total += self._gravcomp
         mechanism = self.mechanism
         if self._drawn.lines:
-            halves = zip(mechanism.half_springs, self._switches_now.strained, strict=True)
-            total += self._pulls.load(self.q, self.v, [line for (line, _), on in halves if not on])
+            idle: list[Line] = []
+            if mechanism.half_springs:
+                halves = zip(mechanism.half_springs, self._switches_now.strained, strict=True)
+                idle = [line for (line, _), on in halves if not on]
+            total += self._pulls.load(self.q, self.v, idle)
         for number, force in enumerate(mechanism.forces):
             if all(self._switches_now.inside[number]):
                 point = self.center(force.body)
                 pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
-                total += np.array([float(part) for part in pushed]) @ point.jacobian
+                total += np.array([float(part) for part in pushed]).dot(point.jacobian)
         if mechanism.attractions:
             total += self._attracted.load()
         for burn, burning in zip(mechanism.burns, self._switches_now.burning, strict=True):
             if burning:
-                frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)
-                thrust = burn.rate * burn.exhaust * (frame @ np.array(burn.direction))
-                total += thrust @ self.center(burn.body).jacobian
+                frame = self._data.xmat[self._body_id[burn.body]].reshape(3, 3)
+                thrust = burn.rate * burn.exhaust * frame.dot(burn.direction)
+                total += thrust.dot(self.center(burn.body).jacobian)
         return total
 
     def closeness(self) -> float:
@@ -267,7 +271,7 @@ class CompiledModel:
 
     # ---- lengths and rows
 
-    def _lines(self) -> tuple[Lengths, Array]:
+    def _lines(self) -> tuple[Lengths, list[float]]:
         """Return the lengths of the constrained lines, and their second derivatives at q̈ = 0."""
         if self._measured is None:
             found = self._rowed.lengths(self.q)
@@ -303,7 +307,7 @@ class CompiledModel:
             row = self.row(number)
             return row.gradient, row.target
         found, bends = self._lines()
-        gradient, bias = found.gradients[number], float(bends[number])
+        gradient, bias = found.gradients[number], bends[number]
         return (-gradient, bias) if isinstance(self._rowed.lines[number].law, Prop) else (gradient, -bias)
 
     def _foot_row(self, index: int, number: int) -> Row:
@@ -322,7 +326,7 @@ class CompiledModel:
     def _line_row(self, number: int) -> Row:
         law, name = self._rowed.lines[number].law, self._rowed.lines[number].name
         gradient, target = self.condition(number)
-        rate, over = float(gradient @ self.v), float(self._lines()[0].values[number]) - self._starts[number]
+        rate, over = float(gradient.dot(self.v)), self._lines()[0].values[number] - self._starts[number]
         if isinstance(law, Prop):
             return Row(law.row, name, gradient, over, rate, target)
         if isinstance(law, Rigid):
@@ -384,14 +388,14 @@ class CompiledModel:
         _, law = self.mechanism.half_springs[number]
         place = self._halves[number]
         found = self._drawn.lengths(self.q)
-        length, rate = float(found.values[place]), float(found.gradients[place] @ self.v)
+        length, rate = found.values[place], float(found.gradients[place].dot(self.v))
         return law.side * (length - law.length), law.side * rate
 
     def deformations(self) -> list[float]:
         """Return the active deformations of the one-sided springs, m."""
         if not self.mechanism.half_springs:
             return []
-        values = self._drawn.values(self.q).tolist()
+        values = self._drawn.values(self.q)
         return [
             law.side * (values[place] - law.length)
             for place, (_, law) in zip(self._halves, self.mechanism.half_springs, strict=True)
