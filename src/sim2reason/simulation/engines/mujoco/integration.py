@@ -146,13 +146,22 @@ def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:
     h = knots[-1].time - origin
     if h <= 0.0:
         return np.repeat(knots[0].values[None, :], len(times), axis=0)
-    powers: Array = np.arange(3.0 * len(knots))
-    x = np.array([(knot.time - origin) / h for knot in knots])
-    matrix = np.concatenate(_powers(x, powers))
-    values, rates = np.array([knot.values for knot in knots]), np.array([knot.rates for knot in knots])
-    shape = np.linalg.solve(matrix, np.concatenate([values[:, :n], values[:, n:] * h, rates[:, n:] * h * h]))
-    places, slopes, _ = _powers((times - origin) / h, powers)
-    return np.concatenate([places @ shape, (slopes @ shape) / h], axis=1)
+    count, size = len(knots), len(times)
+    x = np.concatenate([[knot.time for knot in knots], times])
+    x -= origin
+    x /= h
+    places, slopes, bends = _powers(x, 3 * count)
+    matrix = np.concatenate([places[:count], slopes[:count], bends[:count]])
+    sides = np.empty((3 * count, n))
+    for place, knot in enumerate(knots):
+        sides[place], sides[count + place], sides[2 * count + place] = knot.values[:n], knot.values[n:], knot.rates[n:]
+    sides[count:] *= h
+    sides[2 * count :] *= h
+    shape = np.linalg.solve(matrix, sides)
+    found: Array = np.empty((size, 2 * n))
+    found[:, :n], found[:, n:] = places[count:] @ shape, slopes[count:] @ shape
+    found[:, n:] /= h
+    return found
 
 
 def neighbouring_knots(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
@@ -173,10 +182,11 @@ def _is_similar(step: float, span: float) -> bool:
     return STEP_SIMILARITY * span < step < span / STEP_SIMILARITY
 
 
-def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
-    """Return all powers of numbers, with their first and second derivatives, (numbers, powers) each."""
-    column = x[:, None]
-    place = column**powers
-    rate = powers * column ** np.maximum(powers - 1.0, 0.0)
-    bend = powers * (powers - 1.0) * column ** np.maximum(powers - 2.0, 0.0)
+def _powers(x: Array, count: int) -> tuple[Array, Array, Array]:
+    """Return the first powers of numbers, with their first and second derivatives, (numbers, count) each."""
+    powers: Array = np.arange(float(count))
+    place: Array = x[:, None] ** powers
+    rate, bend = np.zeros_like(place), np.zeros_like(place)
+    np.multiply(powers[1:], place[:, :-1], out=rate[:, 1:])
+    np.multiply((powers * (powers - 1.0))[2:], place[:, :-2], out=bend[:, 2:])
     return place, rate, bend
