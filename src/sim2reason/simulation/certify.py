@@ -16,8 +16,8 @@ from sim2reason.base.records import cached_property, format_count
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.simulation.quantities import Quantity
-from sim2reason.simulation.trace import ENDINGS, ENGINES, Channel, Event, Trace, channels
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
+from sim2reason.simulation.trace import ENDINGS, ENGINES, Channel, Event, Trace
 
 Flags = NDArray[np.bool_]
 
@@ -271,32 +271,30 @@ class _Table:
         mechanism = self._both.mechanism
         movable = [body.mass for body in mechanism.bodies if self._both.began[body.name].steps]
         heaviest = max(movable, default=0.0) or 1.0  # a fixed star's mass would hide every momentum of its planets
-        by_quantity: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
-        for channel, quantity in channels(mechanism):
-            if quantity.drawn_by_recipes != drawn:
-                continue
-            values = quantity.evaluate(self._both, channel.subject)
-            columns = values if values.ndim == 2 else values[:, None]
-            by_quantity.setdefault(channel.quantity, (quantity, []))[1].append((channel, columns))
-        for quantity, members in by_quantity.values():
-            self._compare(quantity, members, heaviest)
+        for name, quantity in QUANTITIES.items():
+            if quantity.drawn_by_recipes == drawn and (subjects := quantity.subjects(mechanism)):
+                self._compare(quantity, [Channel(subject, name) for subject in subjects], heaviest)
 
-    def _compare(self, quantity: Quantity, members: list[tuple[Channel, Array]], heaviest: float) -> None:
+    def _compare(self, quantity: Quantity, members: list[Channel], heaviest: float) -> None:
         """Compare one quantity for all its subjects at once, in arrays (subjects, samples, components)."""
-        values = np.array([columns for _, columns in members])
+        values = np.array([quantity.evaluate(self._both, channel.subject) for channel in members])
+        if values.ndim == 2:
+            values = values[:, :, None]
         n = values.shape[1] // 2
         ours, theirs = values[:, :n], values[:, n:]
-        size = np.sqrt((ours * ours).sum(axis=2))
+        size = np.sqrt(np.add.reduce(ours * ours, axis=2))
         floor = quantity.floor * heaviest if quantity.heavy else quantity.floor  # a smaller scale would be rounding's
-        scale = max(float(np.nanmax(size[:, self._living], initial=0.0)), floor)
-        deviation = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._compared_samples] / scale
+        scale = max(float(np.fmax.reduce(size[:, self._living], axis=None, initial=0.0)), floor)
+        deviation = np.sqrt(np.add.reduce((ours - theirs) ** 2, axis=2))[:, self._compared_samples] / scale
         silent = np.isfinite(size[:, self._compared_samples]) & np.isnan(deviation)
-        for row, (channel, _) in enumerate(members):
-            over = self._first(deviation[row] > self.tolerance)
-            self.until[channel] = min(over, self._first(silent[row]))
+        above, worst = deviation > self.tolerance, np.fmax.reduce(deviation, axis=1, initial=0.0).tolist()
+        parted, silenced = bool(above.any()), bool(silent.any())
+        for row, channel in enumerate(members):
+            over = self._first(above[row]) if parted else self._end
+            self.until[channel] = min(over, self._first(silent[row])) if silenced else over
             if not quantity.drawn_by_recipes:  # what only people ask ends no motion from which recipes draw
                 continue
-            self.agreement[channel] = float(np.nanmax(deviation[row], initial=0.0))
+            self.agreement[channel] = worst[row]
             if over < self._end:
                 self._over[channel] = over
 

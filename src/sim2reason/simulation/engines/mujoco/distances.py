@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.base.records import record
 from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.mechanism import Attraction, Line
+from sim2reason.scenes.dsl.mechanism import Attraction, Elastic, Line
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.mujoco.specification import mujoco
@@ -190,11 +190,12 @@ def _turning(parting: list[float], direction: Vector, run: float) -> float:
 
 
 class Pulls:
-    """The lines whose tension is a function of length and rate: springs and prescribed pulls."""
+    """The lines whose tension is a function of length and rate: springs, some one-sided, and prescribed pulls."""
 
-    def __init__(self, lines: Lines) -> None:
-        """Store the force laws as arrays."""
+    def __init__(self, lines: Lines, half_springs: tuple[tuple[Line, Elastic], ...]) -> None:
+        """Store the force laws as numbers."""
         self._lines = lines
+        self._halves = [(lines.lines.index(line), law) for line, law in half_springs]
         laws, names = [line.law for line in lines.lines], ("force", "stiffness", "length")
         self._laws = [tuple(float(getattr(law, name, 0.0)) for name in names) for law in laws]
         self._damping = np.array([getattr(law, "damping", 0.0) for law in laws])
@@ -215,6 +216,18 @@ class Pulls:
         load += 0.0  # no negative zero
         return load
 
+    def deformations(self, q: Array) -> list[float]:
+        """Return the active deformations of the one-sided springs, m."""
+        if not self._halves:
+            return []
+        values = self._lines.values(q)
+        return [law.side * (values[place] - law.length) for place, law in self._halves]
+
+    def deformation_rates(self, q: Array, v: Array) -> list[float]:
+        """Return the rates of the active deformations of the one-sided springs, m/s."""
+        gradients = self._lines.lengths(q).gradients
+        return [law.side * float(gradients[place].dot(v)) for place, law in self._halves]
+
 
 class Attractions:
     """All attracting pairs of bodies, as arrays."""
@@ -228,7 +241,7 @@ class Attractions:
         *,
         straight: bool,
     ) -> None:
-        """Index the pairs by `bodies` in the compiled `model`, whose state `data` is unset; `straight`: none rotates."""
+        """Index the pairs by `bodies` in the compiled `model`, whose state is `data`; `straight`: no joint rotates."""
         self._pairs, self._model, self._data, self._straight = pairs, model, data, straight
         self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
         self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)

@@ -52,7 +52,8 @@ class InstantSolver:
         self.switches.inside = [[True]] * len(mechanism.forces)
         self.model.set_state(0.0, self.q, self.v, self.switches)
         self.switches.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
-        strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
+        pulls = self.model.pulls
+        strains = zip(pulls.deformations(self.q), pulls.deformation_rates(self.q, self.v), strict=True)
         self.switches.strained = [
             s > CONTACT_DISTANCE or (abs(s) <= CONTACT_DISTANCE and rate > 0.0) for s, rate in strains
         ]

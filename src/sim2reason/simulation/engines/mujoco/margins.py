@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from math import isfinite
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -20,6 +20,8 @@ from sim2reason.simulation.engines.mujoco.forces import (
 from sim2reason.simulation.engines.mujoco.integration import Knot
 from sim2reason.simulation.engines.mujoco.model import CompiledModel
 from sim2reason.simulation.engines.mujoco.record import MotionRecord
+
+T = TypeVar("T")
 
 CONSTANT_RATE_RTOL = 1e-6  # fraction of the largest acceleration: constant ones differ by less
 
@@ -177,9 +179,9 @@ class ActingModel:
         before = len(self.events) - len(values)
         return [values[place - before] for place in self._places_of_distances]
 
-    def distances_among(self, values: list[float]) -> list[float]:
-        """Return the values of the event functions that are distances among those of all."""
-        return [values[place] for place in self._places_of_distances]
+    def distances_among(self, every: list[T]) -> list[T]:
+        """Return what belongs to the event functions that are distances, from what belongs to all."""
+        return [every[place] for place in self._places_of_distances]
 
     def _slips(self) -> list[float]:
         """Return the speeds of the faces that slip."""
@@ -211,7 +213,7 @@ class ActingModel:
         model, mechanism, switches = self.model, self.model.mechanism, self.switches
         burns = zip(mechanism.burns, switches.burning, strict=True)
         values = [burn.until - model.time for burn, burning in burns if burning]
-        strains = zip(model.deformations(), switches.strained, strict=True)
+        strains = zip(model.pulls.deformations(model.q), switches.strained, strict=True)
         values += [strain if strained else -strain for strain, strained in strains]
         for number, inside in enumerate(switches.inside):
             borders = zip(model.borders(number), inside, strict=True)

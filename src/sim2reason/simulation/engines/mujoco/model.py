@@ -69,8 +69,7 @@ class CompiledModel:
         self.directions = steady(mechanism)
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, directions=self.directions)
         self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
-        self._pulls = Pulls(self._drawn)
-        self._halves = [pulls.index(line) for line, _ in mechanism.half_springs]
+        self.pulls = Pulls(self._drawn, mechanism.half_springs)
         self._attracted = Attractions(
             mechanism.attractions, self._body_id, self._model, self._data, straight=self._straight
         )
@@ -177,7 +176,7 @@ class CompiledModel:
         mujoco.mj_solveM(self._model, self._data, x[None], loads[None])
 
     def constrained_acceleration(self, loads: Array, gradients: list[Array], targets: list[float]) -> Array | None:
-        """Return the accelerations (joints,) under `loads` with only the rows of these gradients acting; None on failure.
+        """Return the accelerations (joints,) under `loads` with only rows of these gradients acting; None on failure.
 
         They are the accelerations without rows, corrected by the few constraint forces: M⁻¹Jᵀλ.
         """
@@ -250,7 +249,7 @@ class CompiledModel:
             if mechanism.half_springs:
                 halves = zip(mechanism.half_springs, self._switches_now.strained, strict=True)
                 idle = [line for (line, _), on in halves if not on]
-            total += self._pulls.load(self.q, self.v, idle)
+            total += self.pulls.load(self.q, self.v, idle)
         for number, force in enumerate(mechanism.forces):
             if all(self._switches_now.inside[number]):
                 point = self.center(force.body)
@@ -382,24 +381,6 @@ class CompiledModel:
             return []
         place = _triple(self._centers[force.body])
         return [float(margin) for margin in force.region.margins(place, np)]
-
-    def strain(self, number: int) -> tuple[float, float]:
-        """Return the active deformation of a one-sided spring, m, and its rate."""
-        _, law = self.mechanism.half_springs[number]
-        place = self._halves[number]
-        found = self._drawn.lengths(self.q)
-        length, rate = found.values[place], float(found.gradients[place].dot(self.v))
-        return law.side * (length - law.length), law.side * rate
-
-    def deformations(self) -> list[float]:
-        """Return the active deformations of the one-sided springs, m."""
-        if not self.mechanism.half_springs:
-            return []
-        values = self._drawn.values(self.q)
-        return [
-            law.side * (values[place] - law.length)
-            for place, (_, law) in zip(self._halves, self.mechanism.half_springs, strict=True)
-        ]
 
 
 def _triple(vector: Array) -> Triple:
