@@ -8,6 +8,7 @@ import numpy as np
 
 from sim2reason.generation.modes.problem_formula import Variation
 from sim2reason.generation.modes.variations import Variations
+from sim2reason.questions.regimes import Regime
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions.algebra.expressions import Expression
@@ -24,15 +25,15 @@ UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
 
 
 def find_corner(
-    variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
+    variations: Variations, margin: Margin, told: Sequence[Regime], known: Sequence[Variation]
 ) -> Variation | None:
     """Return the scene with numbers at the ends of their ranges that comes closest to violating an assumption.
 
     The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
     the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
-    margin.
+    margin. The scene satisfies the assumptions `told`.
     """
-    own = variations.own()
+    own, others = variations.own(), [_kept(regime) for regime in told]
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
     if own is None or here[0] is None:
         return None
@@ -50,10 +51,20 @@ def find_corner(
         starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
     best: tuple[Variation | None, float] = None, inf
     for times in starts:
-        best = min(best, _descended(variations, conditions, factors, times), key=lambda value: value[1])
+        best = min(best, _descended(variations, conditions, factors, times, told), key=lambda value: value[1])
         if best[1] <= 0.0 or CLOSE_MARGIN < best[1] < inf:
             break
     return best[0]
+
+
+def _kept(regime: Regime) -> Margin:
+    """Return a function of a scene: its distance from violating an assumption, negative if it violates it."""
+
+    def margin(other: Variation) -> float:
+        distance = regime.margin(other.study, other.until) if regime.holds(other.study, other.until) else -1.0
+        return 1.0 if distance is None else distance
+
+    return margin
 
 
 def _least(conditions: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
@@ -91,7 +102,7 @@ def _moved(other: Variation, own: Variation) -> list[str]:
 
 
 def _descended(
-    variations: Variations, conditions: Sequence[Margin], factors: Array, times: list[float]
+    variations: Variations, conditions: Sequence[Margin], factors: Array, times: list[float], told: Sequence[Regime]
 ) -> tuple[Variation | None, float]:
     """Return the scene after a change of one number at a time towards violation, and its distance from it.
 
@@ -100,9 +111,8 @@ def _descended(
     """
 
     def at(times: Sequence[float]) -> tuple[Variation | None, float]:
-        outcome = variations.having(
-            [symbol.value * by for symbol, by in zip(variations.symbols, times, strict=True)], []
-        )
+        values = [symbol.value * by for symbol, by in zip(variations.symbols, times, strict=True)]
+        outcome = variations.having(values, [], told)
         if outcome is None or any((each(outcome) or 0.0) < 0.0 for each in conditions[1:]):
             return outcome, inf
         margin = conditions[0](outcome)
@@ -140,13 +150,14 @@ def counterexample(
     variations: Variations,
     formula: Expression,
     is_counterexample: Callable[[Variation], bool],
+    told: Sequence[Regime],
     width: float,
     *,
     signed: bool,
 ) -> Variation | None:
     """Return a scene with other numbers for which the formula fails, such as by its sign; None if none is found.
 
-    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
+    A counterexample satisfies the assumptions `told`. All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
     signs.
     """
     own = variations.own()
@@ -155,19 +166,24 @@ def counterexample(
     drawn = _drawn(variations, width)
     values = array_values(formula, variations.columns(drawn))
     negative = drawn[:0] if signed else drawn[values < -ZERO_RTOL * abs(own.answer)]
-    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(values)]))
+    each = (_tried(variations, unfit, is_counterexample, told) for unfit in (negative, drawn[np.isnan(values)]))
     return next((other for other in each if other is not None), None)
 
 
-def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
-    """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does."""
+def _tried(
+    variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool], told: Sequence[Regime]
+) -> Variation | None:
+    """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does.
+
+    Once some scene has an answer, those that never satisfy the assumptions `told` need none.
+    """
     here, answered = np.array([symbol.value for symbol in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + MAX_OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     most = MAX_SIMULATIONS[bool(changing(variations.study.mechanism))]
     for attempt, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
         if attempt == CLOSEST + SCATTERED and not answered:
             return None
-        other = variations.having(unfit[number].tolist(), [])
+        other = variations.having(unfit[number].tolist(), [], told if answered else ())
         if other is not None and is_counterexample(other):
             return other
         answered = answered or other is not None

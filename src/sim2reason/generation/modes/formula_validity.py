@@ -83,13 +83,17 @@ class FormulaValidity:
         """Return whether a formula agrees with the exact engine in several scenes with slightly different numbers."""
         own = self._near[0]
         for width in NEAR_WIDTHS:
-            nearby = [own]
+            nearby, missed = [own], 0
             for other in self._variations.drawn(rng, width, TRIES):
-                if other.story == own.story and self._agrees(formula, other):
+                if other is not None and other.story == own.story and self._agrees(formula, other):
                     nearby.append(other)
+                else:
+                    missed += 1
                 if len(nearby) > TEST_POINTS:
                     self._near = nearby
                     return True
+                if missed > TRIES - TEST_POINTS:
+                    break  # too few are left
         return False
 
     def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
@@ -115,7 +119,9 @@ class FormulaValidity:
             if assumptions is None:
                 return None
             missed = partial(self._missed, formula.expression, assumptions)
-            other = counterexample(self._variations, formula.expression, missed, WIDE_LOG_FACTOR, signed=self._signed)
+            other = counterexample(
+                self._variations, formula.expression, missed, assumptions, WIDE_LOG_FACTOR, signed=self._signed
+            )
             if other is None:
                 return assumptions
             self._wide.append(other)
@@ -167,7 +173,7 @@ class FormulaValidity:
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
         """Return whether a formula fails in a scene although the scene satisfies all stated assumptions."""
-        return not self._violated_regimes(other, told) and not self._agrees(formula, other)
+        return all(regime.holds(other.study, other.until) for regime in told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
         """Return a scene that violates one assumption, or nearly does, but satisfies the stated ones.
@@ -180,7 +186,7 @@ class FormulaValidity:
         among = [other for other in self._wide if not self._violated_regimes(other, told)]
         if not all(held.holds(other.study, other.until) for other in among):
             return None
-        corner = find_corner(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
+        corner = find_corner(self._variations, _margin(held), told, self._wide)
         self._wide += [corner] if corner is not None else []
         return corner
 
@@ -240,16 +246,6 @@ class FormulaValidity:
 
 def _margin(regime: Regime) -> Margin:
     return lambda other: regime.margin(other.study, other.until)
-
-
-def _kept(regime: Regime) -> Margin:
-    """Return a function of a scene: its distance from violating an assumption, negative if it violates it."""
-
-    def margin(other: Variation) -> float:
-        distance = regime.margin(other.study, other.until) if regime.holds(other.study, other.until) else -1.0
-        return 1.0 if distance is None else distance
-
-    return margin
 
 
 def _some(assumptions: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:

@@ -19,6 +19,7 @@ from sim2reason.generation.modes.problem_formula import (
     turns,
 )
 from sim2reason.questions import KINDS, Query, SimulatedScene
+from sim2reason.questions.regimes import Regime
 from sim2reason.questions.study import EXACT_STEP_ERROR, MIN_VARIANT_FRACTION, TIME_MARGIN
 from sim2reason.questions.unknown import lengthen_strings
 from sim2reason.scenes.dsl.scene import Scene
@@ -66,20 +67,19 @@ class Variations:
 
     def drawn(
         self, rng: np.random.Generator, width: float, tries: int, unanswered: list[SimulatedScene] | None = None
-    ) -> Iterator[Variation]:
+    ) -> Iterator[Variation | None]:
         """Yield problems with each number multiplied by a random factor between exp(−`width`) and exp(`width`).
 
-        Motions without an answer are added to `unanswered`.
+        None stands for a problem without an answer; motions without an answer are added to `unanswered`.
         """
         for values in self._draw_around([symbol.value for symbol in self.symbols], rng, width, tries):
-            variation = self._simulate_at(values, unanswered)
-            if variation is not None:
-                yield variation
+            yield self._simulate_at(values, unanswered)
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield many problems with random numbers; fewer if the motion must be integrated, which is far slower."""
         tries, wanted = MAX_WIDE_VARIATIONS[bool(changing(self.study.mechanism))]
-        yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
+        found = (each for each in self.drawn(rng, width, tries, unanswered) if each is not None)
+        yield from islice(found, wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
         """Yield problems whose moment is a value on the other side of the initial one, such as 1.25 instead of 0.8.
@@ -188,9 +188,14 @@ class Variations:
             extreme(abs(each.value) for each in self.symbols if each.unit == symbol.unit) for symbol in self.symbols
         ]
 
-    def having(self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None) -> Variation | None:
-        """Return the problem with given numbers; None if it has no answer, or an angle is nearly a right angle."""
-        return None if self._is_steep(values) else self._simulate_at(values, unanswered)
+    def having(
+        self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None, told: Sequence[Regime] = ()
+    ) -> Variation | None:
+        """Return the problem with given numbers; None if it has no answer, or an angle is nearly a right angle.
+
+        None also if its motion never satisfies one of the assumptions `told`, and that shows before the answer.
+        """
+        return None if self._is_steep(values) else self._simulate_at(values, unanswered, told=told)
 
     def _moving(self, values: Sequence[float], unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         variation = self.having(values, unanswered)
@@ -228,21 +233,27 @@ class Variations:
         yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
 
     def _simulate_at(
-        self, values: Sequence[float], unanswered: list[SimulatedScene] | None, ends: tuple[float, ...] = ()
+        self,
+        values: Sequence[float],
+        unanswered: list[SimulatedScene] | None,
+        ends: tuple[float, ...] = (),
+        told: Sequence[Regime] = (),
     ) -> Variation | None:
         """Return the problem with given numbers, simulated to each of the times `ends` (s) until there is an answer."""
-        assignments = dict(zip(self.symbols, values, strict=True))
+        assigned = {symbol.path: value for symbol, value in zip(self.symbols, values, strict=True) if symbol.path}
         query, seen = self._asking(values), None
         error = (
             DEFAULT_STEP_RTOL if unanswered is None else EXACT_STEP_ERROR
         )  # far away nothing is recorded: a formula holds or does not
         try:
-            scene = self._roomy.having_all({symbol.path: value for symbol, value in assignments.items() if symbol.path})
+            scene = self._roomy.having_all(assigned)
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
             for end in ends if unanswered is None or not self._waits(query) else (*ends, ABSENCE_FACTOR * ends[-1]):
                 seen = SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
+                if any(regime.never_holds(seen) for regime in told):
+                    return None
                 outcome = answered(query, seen)
                 if outcome is not None:
                     return Variation(self._in_formula_units(values), *outcome)
@@ -265,7 +276,7 @@ class Variations:
         moment = self.query.moment
         numbers = [value for symbol, value in zip(self.symbols, values, strict=True) if not symbol.path]
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
-        if self.formula is None:
+        if self.formula is None or not KINDS[query.kind].takes_likely_answer:
             return query
         answer = likely_answer(self.formula, self._in_formula_units(values), self.factor)
         return KINDS[query.kind].with_likely_answer(query, answer)

@@ -68,6 +68,11 @@ class Kind(ABC):
         """Return whether the kind has noun phrases for its answers, so that a condition can state an answer."""
         return type(self).noun_phrases is not Kind.noun_phrases
 
+    @property
+    def takes_likely_answer(self) -> bool:
+        """Return whether a likely answer speeds up the search for the answer."""
+        return type(self).with_likely_answer is not Kind.with_likely_answer
+
     def of_motion(self, query: Query) -> bool:
         """Return whether an answer may depend on the initial motion; by default True."""
         del query

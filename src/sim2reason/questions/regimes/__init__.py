@@ -58,6 +58,14 @@ class Regime(ABC):
         del study
         return False
 
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether a motion is known to violate the assumption up to every time, in it or after it.
+
+        For a quick refusal; by default False.
+        """
+        del study
+        return False
+
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return how far a motion is from violating the assumption up to a time, s, relative to the effect of weights.
 

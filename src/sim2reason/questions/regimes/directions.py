@@ -29,6 +29,7 @@ from sim2reason.simulation.quantities.subjects.rotating_parts import (
 )
 
 RIGHT_ANGLE = 90.0  # degrees
+CLEAR_SHARE = 1e-3  # of free fall, and of a motion: larger accelerations and longer intervals are beyond rounding
 
 
 @REGIMES.register("acute")
@@ -51,6 +52,10 @@ class StartsAcute(Regime):
         """Return whether the initial angle is acute in a motion."""
         del until
         return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT_ANGLE
+
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the initial angle is not acute."""
+        return not self.holds(study, 0.0)
 
     def clause(self, words: Words) -> str:
         """Return the clause, such as *the rod makes an acute angle with the downward vertical at the start*."""
@@ -124,6 +129,17 @@ class MovesOneWay(Regime):
         """Return whether the body moves in the assumed direction at a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
+
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the body is released from rest and clearly accelerated against the assumed direction."""
+        trace = study.trace
+        if changing(study.mechanism) or any(e.time <= CLEAR_SHARE * trace.stable_until for e in trace.events):
+            return False  # it may turn sooner than is seen
+        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
+        if sense is None or Velocity.evaluate(trace.at(0.0), self.name).any():
+            return False
+        margin = self.margin(study, 0.0)
+        return margin is not None and margin < -CLEAR_SHARE
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the velocity or initial acceleration in the assumed direction, relative to free fall; else None."""
@@ -207,6 +223,10 @@ class MovesFirst(Regime):
         del until
         return self.way.begins(study)
 
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the body does not begin to move in the assumed direction."""
+        return not self.way.begins(study)
+
     def clause(self, words: Words) -> str:
         """Return the clause, such as *block A first moves down the slope*."""
         return f"{words.subject_phrases(self.of)[self.name]} first {self.way.motion}"
@@ -239,6 +259,10 @@ class SideOfCenterOfMass(Regime):
         del until
         side = self._side(study.mechanism)
         return side > 0.0 if self.same else side < 0.0
+
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the centre of mass is not on the assumed side."""
+        return not self.holds(study, 0.0)
 
     def _side(self, mechanism: Mechanism) -> float:
         """Return the position of the centre of mass on the side of the body, times the body's distance, m²."""
@@ -289,6 +313,10 @@ class StaysTaut(Regime):
         scan = study.trace.scan
         return not bool((scan.tension[self.name][scan.times <= until] <= ZERO_TENSION).any())
 
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the string does not pull at the start."""
+        return bool(study.trace.at(0.0).tension[self.name][0] <= ZERO_TENSION)
+
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the least tension as a relative acceleration of the string's ends, in units of g; None if unknown."""
         scan, mechanism = study.trace.scan, study.mechanism
@@ -335,6 +363,10 @@ class AllStayTaut(Regime):
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether every string has tension throughout."""
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
+
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether some string does not pull at the start."""
+        return any(StaysTaut(line.name).never_holds(study) for line in study.mechanism.strings)
 
     def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True if a spring or a hand may pull one end faster than loads can follow."""

@@ -47,6 +47,11 @@ class CollideInTurn(Regime):
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the collisions of a motion begin otherwise than assumed."""
+        came = [event.subjects for event in study.trace.events if event.kind == "collision"]
+        return any(set(met) != set(names) for met, names in zip(came, self.order, strict=False))
+
     def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True if several collisions are possible or two bodies collide: formulas do not show which ones."""
         return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
