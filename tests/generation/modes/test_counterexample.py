@@ -11,6 +11,7 @@ from sim2reason.generation.modes.variations import Variations
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import Query
 from sim2reason.questions.moments.distances import Moved
+from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
 
@@ -53,6 +54,16 @@ def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formul
     assert counterexample(varied, formula, lambda other: other.values["m"] < 3.0, WIDTH, signed=False) is None
 
 
+def test_no_answer_is_computed_where_what_is_told_never_holds(varied: Variations) -> None:
+    """The block slides down in every scene, so it never moves up."""
+    up = MovesOneWay("ramp.blocks.0", "up the slope", ahead=True)
+    seen: list[Variation] = []
+    assert counterexample(varied, LEFT, lambda other: bool(seen.append(other)), WIDTH, [up], signed=False) is None
+    assert len(seen) == 1
+    assert varied.having([1.0, 0.5], None, [up]) is None
+    assert varied.having([1.0, 0.5], None, [replace(up, ahead=False)]) is not None
+
+
 def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
     seen: list[float] = []
     counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
@@ -65,7 +76,7 @@ def test_few_are_tried_where_none_has_an_answer_and_none_twice(
     varied: Variations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     tried: list[tuple[float, ...]] = []
-    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, *__: tried.append(tuple(numbers)))
     signed = replace(varied, symbols=[replace(held, signed=True) for held in varied.symbols])
     assert counterexample(signed, LEFT, lambda _: True, WIDTH, signed=False) is None
     assert len(tried) == len(set(tried)) == CLOSEST + SCATTERED
@@ -77,7 +88,7 @@ def test_what_is_negative_is_tried_before_what_has_no_value(
 ) -> None:
     """The formula has no value for half of all numbers near those of the scene, which does not end the search."""
     tried: list[tuple[float, ...]] = []
-    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, *__: tried.append(tuple(numbers)))
     rooted = LEFT * Root(Number(0.51) - Symbol("d"))
     assert counterexample(varied, rooted, lambda _: True, WIDTH, signed=False) is None
     first, last = tried[: CLOSEST + SCATTERED], tried[CLOSEST + SCATTERED :]

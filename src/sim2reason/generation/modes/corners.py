@@ -150,15 +150,15 @@ def counterexample(
     variations: Variations,
     formula: Expression,
     is_counterexample: Callable[[Variation], bool],
-    told: Sequence[Regime],
     width: float,
+    told: Sequence[Regime] = (),
     *,
     signed: bool,
 ) -> Variation | None:
     """Return a scene with other numbers for which the formula fails, such as by its sign; None if none is found.
 
-    A counterexample satisfies the assumptions `told`. All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
-    signs.
+    A counterexample satisfies the assumptions `told`. All or some numbers are multiplied by factors with logarithms of
+    at most `width`; half of the sets have random signs.
     """
     own = variations.own()
     if own is None:

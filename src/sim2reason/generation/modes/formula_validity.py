@@ -120,7 +120,7 @@ class FormulaValidity:
                 return None
             missed = partial(self._missed, formula.expression, assumptions)
             other = counterexample(
-                self._variations, formula.expression, missed, assumptions, WIDE_LOG_FACTOR, signed=self._signed
+                self._variations, formula.expression, missed, WIDE_LOG_FACTOR, assumptions, signed=self._signed
             )
             if other is None:
                 return assumptions

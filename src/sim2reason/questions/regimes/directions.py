@@ -132,11 +132,9 @@ class MovesOneWay(Regime):
 
     def never_holds(self, study: SimulatedScene) -> bool:
         """Return whether the body is released from rest and clearly accelerated against the assumed direction."""
-        trace = study.trace
-        if changing(study.mechanism) or any(e.time <= CLEAR_SHARE * trace.stable_until for e in trace.events):
-            return False  # it may turn sooner than is seen
-        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
-        if sense is None or Velocity.evaluate(trace.at(0.0), self.name).any():
+        if not starts_evenly(study, CLEAR_SHARE * study.trace.stable_until):
+            return False
+        if Velocity.evaluate(study.trace.at(0.0), self.name).any():
             return False
         margin = self.margin(study, 0.0)
         return margin is not None and margin < -CLEAR_SHARE
@@ -166,6 +164,11 @@ class MovesOneWay(Regime):
         direction = first if self.ahead else OPPOSITE[first]
         towards = f"to the {direction}" if first == RIGHT else direction
         return f"moves {towards}{space}{rest}"
+
+
+def starts_evenly(study: SimulatedScene, until: float) -> bool:
+    """Return whether accelerations are constant up to a time, s."""
+    return not changing(study.mechanism) and all(event.time > until for event in study.trace.events)
 
 
 def _of_free_fall(study: SimulatedScene, until: float) -> float:

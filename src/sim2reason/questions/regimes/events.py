@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.questions.moments.bounces import GROUND, WALL, obstacle_phrase
 from sim2reason.questions.moments.occurrence import slip_velocity
 from sim2reason.questions.regimes import REGIMES, Regime
-from sim2reason.questions.regimes.directions import OPPOSITE, MovesOneWay
+from sim2reason.questions.regimes.directions import CLEAR_SHARE, OPPOSITE, MovesOneWay, starts_evenly
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism, Prop
@@ -129,6 +129,21 @@ class SlidesThroughout(Regime):
         return observed[0] is self.slides and (
             observed[1] == self.course or not _slip_direction_words(study.mechanism, self.name)
         )
+
+    def never_holds(self, study: SimulatedScene) -> bool:
+        """Return whether the body clearly begins otherwise: at rest, sliding, or sliding in another direction."""
+        early = max(CLEAR_SHARE * study.trace.stable_until, _soon(study, 0.0))
+        if not starts_evenly(study, early):
+            return False
+        first, then = (float(slip_velocity(study.trace.at(time), self.name)[0]) for time in (0.0, early))
+        if max(abs(first), abs(then)) <= REST_SPEED:
+            return self.slides
+        if abs(then) <= REST_SPEED or first * then < 0.0:
+            return False
+        if not self.slides:
+            return abs(first) > REST_SPEED
+        words = _slip_direction_words(study.mechanism, self.name)
+        return bool(words) and self.course[:1] != (1 if then > 0.0 else -1,)
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the slip velocity at a time, s, or soon after the start, relative to free fall; None for sticking."""
