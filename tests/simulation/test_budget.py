@@ -5,7 +5,7 @@ import pytest
 
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.mechanism import Mechanism, X
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.settling import Settling
@@ -44,6 +44,20 @@ def test_work_is_counted_alike_each_time() -> None:
         flow.advance(1e-4, 1e-4)
         spent.append(run.system.budget.all - run.system.budget.left)
     assert spent[0] == spent[1] > 0
+
+
+def test_each_event_costs_something_for_each_coordinate(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between its hundred bounces, a ball without loss has a motion in closed form, which costs nearly nothing."""
+    builder = Builder()
+    room = builder.room()
+    ball = room.body("ball", 0.3, at=(0.0, 0.0, 0.15)).slide(Z)
+    room.collide(room.body("floor"), ball, 0.1, 1.0)
+    times = np.linspace(0.0, 20.0, 3)
+    monkeypatch.setattr(Budget.__init__, "__defaults__", (1_500_000,))
+    assert sum(event.kind == "collision" for event in ENGINES["exact"](builder.finish(), times).events) == 99
+    monkeypatch.setattr(Budget.__init__, "__defaults__", (900_000,))
+    with pytest.raises(SimulationError, match="million operations"):
+        ENGINES["exact"](builder.finish(), times)
 
 
 @pytest.mark.parametrize("name", ["exact", "mujoco"])

@@ -49,6 +49,18 @@ def test_a_dip_that_does_not_reach_zero_is_none(least: float) -> None:
     assert first(lambda x: (x - 0.4) ** 2 + least) is None
 
 
+def test_a_dip_far_above_zero_is_ruled_out_by_its_tangents() -> None:
+    """The margin is taken at three samples and for two slopes on each side of the minimum, at no place more."""
+    places = set[float]()
+
+    def margin(x: float) -> float:
+        places.add(x)
+        return (x - 0.4) ** 2 + 0.1
+
+    assert first(margin) is None
+    assert len(places) <= 7
+
+
 def test_what_rises_from_nothing_is_due_when_it_comes_back_in_the_same_step() -> None:
     found = first(lambda x: 1e-4 * x * (0.3 - x))
     assert found is not None

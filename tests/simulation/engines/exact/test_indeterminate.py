@@ -43,14 +43,21 @@ def test_without_friction_it_is_settled() -> None:
     assert found.friction == [0.0]
 
 
-def faces(m1: float, m2: float, angles: tuple[float, float], mu: tuple[float, float]) -> Builder:
+def faces(
+    m1: float,
+    m2: float,
+    angles: tuple[float, float],
+    mu: tuple[float, float],
+    static: tuple[float | None, float | None] = (None, None),
+) -> Builder:
     builder = Builder()
     room = builder.room()
     room.site("left", at=(-0.1, 0.0, 0.0)).site("right", at=(0.1, 0.0, 0.0))
-    for name, mass, side, angle, friction in (("A", m1, -1, angles[0], mu[0]), ("B", m2, 1, angles[1], mu[1])):
+    sides = zip("AB", (m1, m2), (-1, 1), angles, mu, static, strict=True)
+    for name, mass, side, angle, friction, held in sides:
         uphill, outward = (-side * cos(angle), 0.0, sin(angle)), (side * sin(angle), 0.0, cos(angle))
         at = (side * 0.1 - 20.0 * uphill[0], 0.0, -20.0 * uphill[2])
-        room.body(name, mass, at=at).rest(uphill, outward, friction)
+        room.body(name, mass, at=at).rest(uphill, outward, friction, static=held)
         builder.add_site(f"{name}.eye", name, at)
     room.string("s", "A.eye", "left", "right", "B.eye")
     return builder
@@ -70,6 +77,21 @@ def test_a_block_too_steep_to_rest_alone_is_held_by_the_other() -> None:
     assert found.a == [0.0, 0.0]
     assert isnan(found.tension[0])
     assert not np.isnan(found.normal).any()
+
+
+@pytest.mark.parametrize("kinetic", [1.0, 0.1])
+@pytest.mark.parametrize(("share", "rests"), [(0.999, True), (1.001, False)])
+def test_two_blocks_too_steep_to_rest_alone_hold_each_other_up_to_a_limit(
+    share: float, rests: bool, kinetic: float
+) -> None:
+    """The tension must be from m1 g (sin α − µ1 cos α), for the steep block, to m2 g (sin β + µ2 cos β).
+
+    The coefficients µ are those of static friction, of which kinetic friction is a part.
+    """
+    alpha, beta, mu1, mu2, m2 = radians(50.0), radians(10.0), 0.3, 0.6, 6.0
+    m1 = share * m2 * (sin(beta) + mu2 * cos(beta)) / (sin(alpha) - mu1 * cos(alpha))
+    builder = faces(m1, m2, (alpha, beta), (kinetic * mu1, kinetic * mu2), static=(mu1, mu2))
+    assert (first(builder).a == [0.0, 0.0]) is rests
 
 
 def test_a_smooth_block_settles_the_tension(agree: Callable[..., None]) -> None:
