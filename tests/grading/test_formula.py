@@ -39,3 +39,21 @@ def test_brackets_that_print_shows_hold_together(answer: str) -> None:
     r"""Brackets visible in print group *a + b*, unlike the invisible ones of ``\text{…}``."""
     assert formula(rf"\boxed{{{answer}}}", r"\frac{2}{\sqrt{a + b}}", [{"a": 2.0, "b": 3.0}]).reward == 1.0
     assert formula(rf"\boxed{{{answer}}}", r"2 a + b^{-1/2}", [{"a": 2.0, "b": 3.0}]).reward == 0.0
+
+
+@pytest.mark.parametrize(
+    ("answer", "reward"),
+    [
+        (r"h\ \text{m}", 1.0),
+        (r"h\,\mathrm{kg}\cdot\mathrm{m}", 1.0),
+        (r"h\ \text{m} g", 0.0),  # the unit could be m·g, but g is a symbol of the problem
+        (r"h\ \text{N} m", 0.0),
+        (r"h\ \text{m} \%", 0.0),
+        (r"h\ \text{m}^\circ", 0.0),
+        (r"h\ \text{apples}", 0.0),
+        (r"h \%", 0.0),
+        ("h m", 0.0),
+    ],
+)
+def test_only_an_upright_unit_may_follow(answer: str, reward: float) -> None:
+    assert formula(rf"\boxed{{{answer}}}", "h", symbols=["h", "g"]).reward == reward

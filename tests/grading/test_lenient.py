@@ -73,3 +73,18 @@ def test_what_belongs_to_it_is_read(text: str) -> None:
 )
 def test_what_makes_it_something_else_is_not_dropped(text: str) -> None:
     assert not number(text, 9.8, "m/s^2", lenient=True).reward
+
+
+@pytest.mark.parametrize(
+    ("text", "outcome", "why"),
+    [
+        ("It is 9.8 apples", "unreadable", "'apples' after the value"),
+        ("9.8 million.", "unreadable", "'million' after the value"),
+        ("Mass: 2 kg. The height is 9.8 kg", "wrong unit", "9.8 kg is no quantity in m"),
+        ("no number at all", "no answer", "there is neither a box nor a number"),
+    ],
+)
+def test_the_reason_is_what_is_wrong_with_the_whole_sentence(text: str, outcome: str, why: str) -> None:
+    score = number(text, 9.8, "m", lenient=True)
+    assert score.outcome == outcome
+    assert why in score.why
