@@ -3,9 +3,10 @@
 from collections import Counter
 
 import numpy as np
+import pytest
 
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.unknown import draw_unknowns
+from sim2reason.questions.unknown import draw_unknowns, far_from
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
@@ -70,3 +71,31 @@ def test_what_people_measure_by_what_happens_is_left_unknown_more_often() -> Non
     first = Counter(next(draw_unknowns(words.unknowns, scene, np.random.default_rng(seed))).name for seed in range(400))
     assert set(first) >= {"mass", "angle", "coefficient of friction"}
     assert first["coefficient of friction"] > 2.0 * max(first["mass"], first["angle"])
+
+
+@pytest.mark.parametrize(
+    ("values", "about", "count"),
+    [
+        ((2.0, 5.0, 20.0), 1.0, 28),
+        ((2.0, 5.0, 20.0), 10.0, 29),
+        ((2.0, 5.0, 20.0), 40.0, 28),
+        ((2.0, 5.0, 20.0), -10.0, 36),
+        ((-5.0, 0.0, 20.0), 10.0, 16),
+        ((-5.0, 0.0, 20.0), -10.0, 20),
+    ],
+)
+def test_far_values_lie_outside_the_range_and_have_the_sign_of_the_value(
+    values: tuple[float, ...], about: float, count: int
+) -> None:
+    """They go up to a hundred times the value and down to a hundredth, in 16 steps each way, and to a thousand."""
+    found = far_from(values, about, "m")
+    assert all(value * about > 0.0 and not values[0] <= value <= values[-1] for value in found)
+    distances = [max(value / about, about / value) for value in found]
+    assert distances == pytest.approx(sorted(distances)), "the nearest ones come first"
+    assert len(found) == count
+    assert max(distances) == pytest.approx(1e3)
+
+
+def test_there_are_no_far_angles_and_none_far_from_zero() -> None:
+    assert far_from((2.0, 20.0), 10.0, "deg") == []
+    assert far_from((2.0, 20.0), 0.0, "m") == []
