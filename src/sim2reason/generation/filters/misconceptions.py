@@ -225,9 +225,9 @@ class Simplified(Filter):
 
 def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
     """Return whether a misconception concerns only parts that the item will mark as distractions."""
-    without = (part.study for part in effects(candidate, part=True) if part.is_accepted and part.study is not None)
+    without = (part.study for part in effects(candidate, part=True) if part.is_accepted)
     query, slip = candidate.question.query, effect.simplification
-    return any(effect.subject not in slip.subjects(query, study) for study in without)
+    return any(effect.subject not in slip.subjects(query, study) for study in filter(None, without))
 
 
 FILTERS.add("simplification", Simplified())
