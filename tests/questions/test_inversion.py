@@ -1,16 +1,25 @@
 """Tests of the number of a scene for which a query has a given answer, in any range."""
 
+from math import sqrt
+
+import numpy as np
 import pytest
 
 from plain_scenes import G, ramp
+from sim2reason.questions import SimulatedScene
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.inversion import values_giving, why_not_one
+from sim2reason.questions.inversion import ThresholdSearch, values_giving, why_not_one
+from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.words import Words
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
@@ -99,3 +108,13 @@ def test_no_number_gives_what_is_beyond_a_minimum() -> None:
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = pose_question(StructuredQuestion("hand.force", when="at start", given="acceleration = -1"), motion, words)
     assert asked.simulate_answer(motion).reason.startswith("no value of ")
+
+
+@pytest.mark.parametrize(("error", "within"), [(1e-8, 1e-8), (1e-6, 1e-5)])
+def test_a_limit_is_as_accurate_as_the_motions_that_are_compared(error: float, within: float) -> None:
+    """A bob on a light rod goes right round if v > 2√(gl) at its lowest point, and does not if it is slower."""
+    swing = Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=1.2), angle=0.0, speed=3.0)
+    study = SimulatedScene.of(Scene(entities=(Named(name="p", entity=swing),)), np.linspace(0.0, 1.0, 5))
+    trial = ThresholdSearch(study, OUTCOMES["goes_round"]("p.hanger"), "p.speed")
+    assert trial.rough_change(above=True, error=error) == pytest.approx(2.0 * sqrt(1.2 * G), rel=within)
+    assert trial.rough_change(above=False, error=error) is None
