@@ -5,6 +5,7 @@ linear in the number of tokens, and nesting is limited.
 """
 
 from collections.abc import Sequence
+from itertools import islice
 from typing import Final
 
 from sim2reason.grading import arithmetic
@@ -109,8 +110,10 @@ class _Parser:
 
     def starts(self) -> bool:
         """Return whether a factor may begin at the next token, without a multiplication sign."""
-        token, inside = self.next, self.tokens[self.at + 1].kind
-        if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
+        token = self.next
+        if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5, and 3{{2}} as 32
+            after = islice(self.tokens, self.at + 1, None)
+            inside = next(each.kind for each in after if token.text != "{" or each.text != "{")
             return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")
         return token.kind in _STARTS or self.opens_bars()
 
