@@ -5,8 +5,10 @@ from collections import Counter
 import numpy as np
 import pytest
 
+from plain_scenes import arm, ramp, table
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.unknown import draw_unknowns, far_from
+from sim2reason.questions.unknown import beyond_range, draw_unknowns, far_from, find_limits, is_usual, range_of
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
@@ -99,3 +101,60 @@ def test_far_values_lie_outside_the_range_and_have_the_sign_of_the_value(
 def test_there_are_no_far_angles_and_none_far_from_zero() -> None:
     assert far_from((2.0, 20.0), 10.0, "deg") == []
     assert far_from((2.0, 20.0), 0.0, "m") == []
+
+
+ROUGH = ramp(friction=0.3, speed=2.0)
+RANGES = [
+    (ROUGH, "ramp.blocks.0.mass", (0.05, 100.0), (5e-6, 1e6), (0.25, 20.0)),
+    (ROUGH, "ramp.speed", (0.05, 50.0), (5e-6, 5e5), (0.25, 10.0)),
+    (ROUGH, "ramp.plane.friction", (0.01, 7.0), (1e-6, 10.0), (0.05, 1.4)),
+    (ROUGH, "ramp.plane.angle", (1.0, 90.0), None, (5.0, 140.0)),
+    (table(), "table.restitution", (0.03, 1.0), (3e-6, 1.0), (0.15, 2.0)),
+    (arm(), "arm.pieces.0.distance", (0.015, 12.0), (1.5e-6, 1e3), (0.075, 2.4)),
+]
+"""A number with its range, how far it is searched for beyond, and its usual range."""
+
+
+@pytest.mark.parametrize(("scene", "path", "ends", "far", "usual"), RANGES)
+def test_a_number_has_a_range_ten_times_as_wide_at_either_end(
+    scene: Scene, path: str, ends: tuple[float, float], far: tuple[float, float] | None, usual: tuple[float, float]
+) -> None:
+    """It ends where the declaration does, as at 1 for a coefficient of restitution; angles are evenly spaced."""
+    values = range_of(scene, path)
+    assert (values[0], values[-1]) == pytest.approx(ends, rel=1e-9)
+    steps = np.diff(values) if path.endswith("angle") else np.diff(np.log(values))
+    assert steps == pytest.approx(np.full(63, steps[0]), rel=1e-6)
+    beyond = beyond_range(scene, path)
+    assert bool(beyond) is (far is not None)
+    if far is not None:
+        assert (beyond[0][0], beyond[0][-1]) == pytest.approx((far[0], ends[0]), rel=1e-9)
+        assert (beyond[-1][-1], len(beyond)) == pytest.approx((far[1] if len(beyond) == 2 else ends[0], len(beyond)))
+        assert len(beyond) == 1 + (far[1] > ends[1])
+    for value, inside in ((usual[0], 1.001), (usual[1], 0.999)):
+        assert is_usual(scene, path, value * inside)
+        assert not is_usual(scene, path, value / inside)
+
+
+@pytest.mark.parametrize(
+    ("path", "about", "end"),
+    [
+        ("ramp.blocks.0.mass", 10.0, 100.0),
+        ("ramp.blocks.0.mass", 1e4, 1e5),
+        ("ramp.speed", 1e3, 1e4),
+        ("ramp.speed", 1e8, 3e7),  # not faster than a tenth of light
+        ("ramp.plane.friction", 5.0, 10.0),
+    ],
+)
+def test_a_range_goes_on_to_ten_times_a_known_value(path: str, about: float, end: float) -> None:
+    values, farther = range_of(ROUGH, path), range_of(ROUGH, path, about)
+    assert farther[:64] == values
+    assert farther[-1] == pytest.approx(end, rel=1e-9)
+    assert np.diff(np.log(farther)).max() <= np.log(values[1] / values[0]) * (1.0 + 1e-6)
+    assert np.diff(np.log(farther)).min() > 0.4 * np.log(values[1] / values[0])
+
+
+def test_a_rocket_is_heavier_with_its_fuel_than_without() -> None:
+    """Its mass is 800 kg at first and 200 kg without fuel, and each may come as near to the other as 0.1 %."""
+    rocket = loads(ROCKET)
+    assert find_limits(rocket, "rocket.rocket.mass")[0] == pytest.approx(200.2)
+    assert find_limits(rocket, "rocket.rocket.dry")[1] == pytest.approx(800.0 / 1.001)
