@@ -19,7 +19,7 @@ def test_no_other_name_is(answer: str) -> None:
     assert formula(rf"\boxed{{{answer}}}", REFERENCE, [POINT]).reward == 0.0
 
 
-@pytest.mark.parametrize("answer", WITH_L)
+@pytest.mark.parametrize("answer", [*WITH_L, r"mg\ell\sin\theta+kl_0^2"])
 def test_an_l_of_the_problem_is_itself(answer: str) -> None:
     assert formula(rf"\boxed{{{answer}}}", REFERENCE, [{**POINT, "l": 2.0}]).reward == 0.0
 

@@ -57,6 +57,7 @@ def test_what_stands_behind_a_number_is_a_unit_or_refused(
         ("0.5 N upward", "upward", 0.5),
         ("-0.5 N downward", "upward", -0.5),
         ("0.5 N", "upward", 0.5),
+        ("0.5 N downward", "", 0.5),
     ],
 )
 def test_a_value_in_brackets_repeats_the_one_before_it(answer: str, positive: str, value: float | None) -> None:
@@ -73,8 +74,16 @@ def test_other_references_and_tolerances_are_errors(arguments: tuple[float, floa
 
 @pytest.mark.parametrize(
     ("answer", "tolerance", "right"),
-    [("8", 0.0, True), ("8.0001", 0.0, False), ("7", 0.125, True), ("9", 0.125, True), ("9.01", 0.125, False)]
-    + [("6.99", 0.125, False), ("0.1", 0.99, True), ("0.07", 0.99, False)],
+    [
+        ("8", 0.0, True),
+        ("8.0001", 0.0, False),
+        ("7", 0.125, True),
+        ("9", 0.125, True),
+        ("9.01", 0.125, False),
+        ("6.99", 0.125, False),
+        ("0.1", 0.99, True),
+        ("0.07", 0.99, False),
+    ],
 )
 def test_the_tolerance_is_relative_to_the_reference_and_counts_at_its_limit(
     answer: str, tolerance: float, right: bool
@@ -97,3 +106,19 @@ def test_the_tolerance_is_relative_to_the_reference_and_counts_at_its_limit(
 )
 def test_the_reason_shows_the_value_in_the_requested_unit(answer: str, unit: str | None, why: str) -> None:
     assert number(rf"\boxed{{{answer}}}", 0.5, unit).why == why
+
+
+@pytest.mark.parametrize(
+    ("answer", "reward"),
+    [
+        ("50 m = 0.05 km", 1.0),
+        ("50 m = 0.05", 1.0),
+        ("0.05 = 50 m", 1.0),
+        ("5000 cm = 0.05", 1.0),
+        ("50 = 0.05 km", 1.0),  # 50 m are meant
+        ("60 m = 0.05", 0.0),
+    ],
+)
+def test_two_sides_agree_in_some_unit(answer: str, reward: float) -> None:
+    """A bare number is in the requested unit, the other side's unit, or its SI unit."""
+    assert number(rf"\boxed{{{answer}}}", 0.05, "km").reward == reward
