@@ -115,8 +115,14 @@ def test_the_reason_shows_the_value_in_the_requested_unit(answer: str, unit: str
         ("50 m = 0.05", 1.0),
         ("0.05 = 50 m", 1.0),
         ("5000 cm = 0.05", 1.0),
-        ("50 = 0.05 km", 1.0),  # 50 m are meant
+        ("50 = 0.05 km", 1.0),
         ("60 m = 0.05", 0.0),
+        ("50 = 0.05", 1.0),  # 50 m are meant
+        ("0.05 km = 50", 0.0),  # the last value counts
+        ("50 km = 0.05", 0.0),
+        ("0.05 = 50 km", 0.0),
+        ("50 cm = 0.05", 0.0),
+        ("0.5 m = 0.05", 0.0),
     ],
 )
 def test_two_sides_agree_in_some_unit(answer: str, reward: float) -> None:

@@ -267,16 +267,15 @@ def _agree(one: _Quantity, other: _Quantity, target_unit: Unit | None) -> bool:
     if one.unit is not None and other.unit is not None:
         factor = one.unit.factor_to(other.unit)
         return factor is not None and _is_close(one.value * factor, other.value)
-    return any(
-        _is_close(mine, yours) for mine in _readings(one, target_unit) for yours in _readings(other, target_unit)
-    )
+    units = [unit for unit in (one.unit, other.unit, target_unit) if unit is not None]
+    return any(_is_close(mine, yours) for mine in _readings(one, units) for yours in _readings(other, units))
 
 
-def _readings(quantity: _Quantity, target_unit: Unit | None) -> list[float]:
-    unit = quantity.unit or target_unit
-    factor = quantity.unit.factor_to(target_unit) if quantity.unit is not None and target_unit is not None else None
-    readings = [quantity.value, quantity.value * unit.factor if unit is not None else quantity.value]
-    return [*readings, quantity.value * factor] if factor is not None else readings
+def _readings(quantity: _Quantity, units: Sequence[Unit]) -> list[float]:
+    """Return the values in SI units that a quantity may have, a bare number in any of some units or in SI units."""
+    if quantity.unit is not None:
+        return [quantity.value * quantity.unit.factor]
+    return [quantity.value, *(quantity.value * unit.factor for unit in units)]
 
 
 def _is_close(one: float, other: float) -> bool:
