@@ -14,7 +14,7 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.structured import StructuredQuestion, resolve_name, sense_named
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.simulation.quantities.subjects import Sense
@@ -60,7 +60,7 @@ class Target:
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
         return (
-            np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.direction(state.mechanism))
+            row_lengths(found) if self.sense is None else found @ np.array(self.direction(state.mechanism))
         )
 
     def direction(self, mechanism: Mechanism) -> Vector:

@@ -38,7 +38,7 @@ class Repetition:
         """Return the time, s, of the first recurrence of the state; None if there is none, or only one at an event."""
         mechanism = trace.mechanism
         names = [c.name for body in ancestor_chain(mechanism, self.name) for c in body.coordinates]
-        time = _first_return(trace, [mechanism.number[name] for name in names])
+        time = _first_return(trace, tuple(mechanism.number[name] for name in names))
         return time if time is not None and is_clear_of_events(time, trace) else None
 
 
@@ -60,7 +60,7 @@ def first_return(trace: Trace) -> float | None:
     None if they do not return while the motion is described, or if time has a part in the equations.
     """
     mechanism = trace.mechanism
-    return _first_return(trace, range(len(mechanism.coordinates))) if is_autonomous(mechanism) else None
+    return _first_return(trace, tuple(range(len(mechanism.coordinates)))) if is_autonomous(mechanism) else None
 
 
 def drift_return(trace: Trace) -> float | None:
@@ -176,13 +176,17 @@ def escapes(trace: Trace, name: str) -> bool:
     return bool(velocity @ velocity > 2.0 * depth)
 
 
-def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
+def _first_return(trace: Trace, numbers: tuple[int, ...]) -> float | None:
     """Return the first time, s, at which given coordinates and their velocities recur, up to full turns of hinges.
 
     Candidates are zero crossings of the coordinates, or of the velocities of a motion that starts from rest, projected
     on their initial direction.
     """
-    mechanism, start, number = trace.mechanism, trace.at(0.0), list(numbers)
+    return trace.memoize(("first return", numbers), lambda: _search_return(trace, list(numbers)))
+
+
+def _search_return(trace: Trace, number: list[int]) -> float | None:
+    mechanism, start = trace.mechanism, trace.at(0.0)
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
     far, fast = (float(np.abs(values[:, number]).max(initial=0.0)) for values in (trace.scan.q, trace.scan.v))
     speeds = start.v[0, number]

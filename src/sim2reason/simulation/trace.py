@@ -6,7 +6,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from sim2reason.base.records import cached_property, format_count
+from sim2reason.base.records import Memo, cached_property, format_count
 from sim2reason.base.registry import Registry
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -79,7 +79,7 @@ def events_before(events: Iterable[Event], until: float) -> tuple[Event, ...]:
 
 
 @dataclass(frozen=True)
-class Trace:
+class Trace(Memo):
     """A simulated motion: its states at recorded times, its events, and the time until which it is valid.
 
     Attributes:

@@ -17,7 +17,7 @@ from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal_word
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.quantities.subjects import Sense
@@ -79,7 +79,7 @@ class Extreme(Functional):
         values = self.quantity.evaluate(state, name)
         if self.sense is not None:
             return self.sign * (values @ np.array(self.sense.vector))
-        return self.sign * (np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1))
+        return self.sign * (np.abs(values) if values.ndim == 1 else row_lengths(values))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channel of the quantity."""
@@ -282,7 +282,10 @@ class Integral(Functional):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the integral by Gaussian quadrature on the engine's steps."""
-        return integral(trace, lambda state: self.rate(state, name), end, self.corners(trace, name))
+        return trace.memoize(
+            (self.name, name, end),
+            lambda: integral(trace, lambda state: self.rate(state, name), end, self.corners(trace, name)),
+        )
 
 
 IMPULSE_BALANCE_RTOL = 1e-6  # relative: largest difference between equal impulses

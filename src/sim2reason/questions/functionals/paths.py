@@ -16,7 +16,7 @@ from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.simulation.quantities.kinematics import AngleTurned, AngularVelocity, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.subjects.bodies import (
@@ -70,7 +70,7 @@ class AngleSwept(Integral):
 
     def rate(self, state: State, name: str) -> Array:
         """Return the angular speed |ω|, degrees per second, (n,)."""
-        return degrees(1.0) * np.linalg.norm(AngularVelocity.evaluate(state, name), axis=1)
+        return degrees(1.0) * row_lengths(AngularVelocity.evaluate(state, name))
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body turns on one hinge and does not roll, so that the engine records its reversals."""
@@ -106,7 +106,7 @@ class AreaSwept(Integral):
 
     def rate(self, state: State, name: str) -> Array:
         """Return the magnitude ½|r × v| of the areal velocity, the area swept per unit time, (n,)."""
-        return np.linalg.norm(_areal_velocity(state, name), axis=1)
+        return row_lengths(_areal_velocity(state, name))
 
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the line turns in one sense only, as otherwise the sign of areas is ambiguous."""
@@ -151,18 +151,14 @@ class DistanceTravelled(Integral):
 
     def rate(self, state: State, name: str) -> Array:
         """Return the speed, m/s, (n,)."""
-        return np.linalg.norm(Velocity.evaluate(state, name), axis=1)
+        return row_lengths(Velocity.evaluate(state, name))
 
     def corners(self, trace: Trace, name: str) -> list[float]:
         """Return the times, s, at which a body on a line reverses; none on a circle, where the engine records them."""
         path = center_path(trace.mechanism, name)
         if not path.straight:
             return []
-        direction = np.array(path.ways[0])
-        senses = (direction, -direction)
-        return [
-            time for sense in senses for time in crossings(trace, lambda s, x=sense: Velocity.evaluate(s, name) @ x)
-        ]
+        return trace.memoize(("reversals", name), lambda: _reversal_times(trace, name, np.array(path.ways[0])))
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body moves along a line or on a circle."""
@@ -185,6 +181,11 @@ class DistanceTravelled(Integral):
         path = self.value(study.trace, name, end) or 0.0
         direct = float(np.linalg.norm(Displacement.evaluate(study.trace.at(end), name)[0]))
         return path - direct > MIN_ANGLE_EXCESS * path and super().worth(study, name, end)
+
+
+def _reversal_times(trace: Trace, name: str, direction: Array) -> list[float]:
+    senses = (direction, -direction)
+    return [time for sense in senses for time in crossings(trace, lambda s, x=sense: Velocity.evaluate(s, name) @ x)]
 
 
 @functional

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim2reason.questions.choices import is_clear_of_events
 from sim2reason.questions.moments import Clause
@@ -30,6 +31,8 @@ CROSSING_TIME_RTOL = 0.1  # of the error of a step: accuracy of a crossing time
 MAX_ROOT_ITERATIONS = 16  # iterations of the refinement; three or four reach double precision
 TOUCH_SAMPLES = 33  # instants in an interval where the function may touch zero
 _START_FRACTIONS = 10.0 ** -np.arange(1.0, 9.0)
+_NEAR = 2 * len(_START_FRACTIONS) + 1  # instants around the guess; the others divide the interval
+_TRIED_FRACTIONS = np.concatenate([-_START_FRACTIONS, [0.0], _START_FRACTIONS, np.arange(0.0, 1.01, 0.125)])
 
 
 def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
@@ -38,14 +41,14 @@ def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
     What begins at zero must fall below it first. NaN is neither below nor above.
     """
     times, values = _sampled(trace, excess)
-    size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    size = _largest(values)
     above, below = values >= 0.0, values < -ZERO_RTOL * size
-    was_below = False
-    for number in range(1, len(times)):
-        was_below = was_below or bool(below[number - 1])
-        if not above[number] or not was_below:
-            continue
-        was_below = False
+    number = 0
+    while True:
+        start = _first_true(below, number)
+        number = _first_true(above, start + 1)
+        if number == len(times):
+            return
         low, high = float(times[number - 1]), float(times[number])
         if values[number - 1] >= 0.0:
             continue  # it lost its value on the way, and has it again
@@ -56,6 +59,18 @@ def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
             yield _refine_root(trace, excess, (low, float(values[number - 1])), (high, float(values[number])))
 
 
+def _first_true(flags: NDArray[np.bool_], start: int) -> int:
+    """Return the index of the first flag that is set, from an index on; the number of flags if none is."""
+    rest = flags[start:]
+    index = int(rest.argmax()) if len(rest) else 0
+    return start + index if len(rest) and rest[index] else len(flags)
+
+
+def _largest(values: Array) -> float:
+    """Return the largest size of finite values; 0 if there are none."""
+    return float(np.maximum.reduce(np.abs(values[np.isfinite(values)]), initial=0.0))
+
+
 def first_crossing(trace: Trace, excess: EventFunction) -> float | None:
     """Return the first time, s, at which a function rises through zero in the simulated motion; else None."""
     return next(crossings(trace, excess), None)
@@ -64,7 +79,7 @@ def first_crossing(trace: Trace, excess: EventFunction) -> float | None:
 def jumps(trace: Trace, excess: EventFunction) -> list[float]:
     """Return the times, s, in order, of events at which a function jumps from negative to positive."""
     times, values = trace.scan.times, excess(trace.scan)
-    small = ZERO_RTOL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    small = ZERO_RTOL * _largest(values)
     jumped = (np.diff(times) <= EVENT_JUMP_RTOL * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
     jump_times: list[float] = times[1:][jumped].tolist()
     return jump_times
@@ -73,7 +88,7 @@ def jumps(trace: Trace, excess: EventFunction) -> list[float]:
 def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
     """Return whether a function is zero at the start and positive when it first differs from zero."""
     values = excess(trace.scan)
-    size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    size = _largest(values)
     clear = values[np.abs(values) > ZERO_RTOL * size]
     return bool(abs(values[0]) <= ZERO_RTOL * size and len(clear) and clear[0] > 0.0)
 
@@ -85,13 +100,16 @@ def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
     if len(times) < 3:
         return times, values
     sizes = np.abs(values)
-    nearest = np.flatnonzero((sizes[1:-1] <= sizes[:-2]) & (sizes[1:-1] <= sizes[2:]))
+    nearest = ((sizes[1:-1] <= sizes[:-2]) & (sizes[1:-1] <= sizes[2:])).nonzero()[0]
     before, here, after = values[nearest], values[nearest + 1], values[nearest + 2]
+    apart = (before * here > 0.0) & (after * here > 0.0)
+    if not apart.any():
+        return times, values
+    before, here, after = before[apart], here[apart], after[apart]
     bend = before - 2.0 * here + after
     with np.errstate(divide="ignore", invalid="ignore"):
         rise = np.abs((after - before) ** 2 / (8.0 * bend)) + np.abs(bend) / 8.0  # of a parabola over its middle sample
-    same = (before * here > 0.0) & (after * here > 0.0) & (np.sign(bend) == np.sign(here))
-    close = nearest[same & (np.abs(here) < 2.0 * rise)]
+    close = nearest[apart][(np.sign(bend) == np.sign(here)) & (np.abs(here) < 2.0 * rise)]
     if not len(close):
         return times, values
     closer: list[Array] = [np.linspace(times[i], times[i + 2], TOUCH_SAMPLES)[1:-1] for i in close.tolist()]
@@ -108,21 +126,19 @@ def _refine_root(trace: Trace, excess: EventFunction, low: tuple[float, float], 
         if width <= max(4e-16, CROSSING_TIME_RTOL * trace.tolerance) * b:
             break
         guess = a - width * fa / (fb - fa)
-        around = np.concatenate(
-            [guess - width * _START_FRACTIONS, [guess], guess + width * _START_FRACTIONS, a + width * _EIGHTHS]
-        )
-        times = np.sort(np.clip(around, a, b))  # what is there twice does no harm
+        times = width * _TRIED_FRACTIONS
+        times[:_NEAR] += guess
+        times[_NEAR:] += a
+        np.minimum(np.maximum(times, a, out=times), b, out=times)
+        times.sort()  # what is there twice does no harm
         values = excess(trace.sample(times))
-        reached = int(np.argmax((values >= 0.0) | (times >= b)))
+        reached = int(((values >= 0.0) | (times >= b)).argmax())
         if reached == 0:
             return float(times[0])
         a, b, fa, fb = (float(x) for x in (times[reached - 1], times[reached], values[reached - 1], values[reached]))
         if not fb > fa:
             break
     return b
-
-
-_EIGHTHS = np.arange(0.0, 1.01, 0.125)
 
 
 @dataclass(frozen=True, slots=True)

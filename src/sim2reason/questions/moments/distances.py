@@ -15,7 +15,7 @@ from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.scenes.dsl.structure import may_reverse
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
@@ -278,8 +278,8 @@ class Returned(Passage):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, at which the distance from the start is first zero again; None if it never is."""
-        farthest = float(np.linalg.norm(Displacement.evaluate(trace.scan, self.name), axis=1).max())
-        fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
+        farthest = float(row_lengths(Displacement.evaluate(trace.scan, self.name)).max())
+        fastest = float(row_lengths(Velocity.evaluate(trace.scan, self.name)).max())
         for time in crossings(trace, self.excess):
             there = trace.at(time)
             if float(np.linalg.norm(Displacement.evaluate(there, self.name))) <= RETURN_DISTANCE_RTOL * farthest:

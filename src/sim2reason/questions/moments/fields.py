@@ -19,7 +19,7 @@ from sim2reason.questions.moments.occurrence import Occurrence, Verb, when_phras
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.scenes.dsl.vectors import Vector, inner
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
@@ -61,7 +61,7 @@ class AcrossField(FieldPassage):
         time = FieldPassage.time(self, trace)
         if time is None:
             return None
-        fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
+        fastest = float(row_lengths(Velocity.evaluate(trace.scan, self.name)).max())
         here = float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name)))
         return time if here > COMPONENT_RTOL * fastest else None
 

@@ -18,7 +18,7 @@ from sim2reason.questions.query import Target, quantities_named, target_named, t
 from sim2reason.questions.structured import StructuredQuestion, moment_named, one_of, parse_amount
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.trace import Channel, Trace
@@ -38,14 +38,14 @@ class DistanceThreshold(Threshold):
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return a random fraction of the greatest distance, m; None if that is too short."""
-        reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
+        reached = float(row_lengths(Displacement.evaluate(trace.scan, name)).max())
         greatest = min(reached, TIED if trace.mechanism.strings else LONGEST)
         distance = rng.uniform(NEAREST, FARTHEST) * greatest
         return round_number(distance, NEAREST * greatest, FARTHEST * greatest) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
         """Return by how many metres the displacement exceeds the distance, (n,)."""
-        return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
+        return row_lengths(Displacement.evaluate(state, self.name)) - self.value
 
 
 SECOND_TIME_PREFIX = "second "  # before an equation such as *speed of A = 2 m/s*: the second time that it holds

@@ -16,7 +16,7 @@ from sim2reason.questions.recurrence import ends_at_rest, has_known_continuation
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.scenes.dsl.vectors import add, scale
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import (
@@ -52,7 +52,7 @@ class Fastest(Passage):
         """Return the time of greatest speed, s; None if a greater speed may follow."""
         if not has_known_continuation(trace):
             return None
-        greatest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
+        greatest = float(row_lengths(Velocity.evaluate(trace.scan, self.name)).max())
         for time in crossings(trace, self.excess):
             if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) >= (1.0 - SPEED_RTOL) * greatest:
                 return time
@@ -131,7 +131,7 @@ class Stopped(Occurrence):
 
     def _instant_stop_times(self, trace: Trace, before: float) -> Iterator[float]:
         """Yield the times before `before`, s, at which the body's speed is zero without an event."""
-        times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
+        times, speeds = trace.scan.times, row_lengths(Velocity.evaluate(trace.scan, self.name))
         early = speeds[times < before * (1.0 - TOUCH_SPEED_RTOL)]
         lowest = early[1:-1][(early[1:-1] <= early[:-2]) & (early[1:-1] < early[2:])]
         if not len(lowest) or float(lowest.min()) > TOUCH_SPEED_RTOL * float(speeds.max()):
@@ -151,7 +151,7 @@ class Stopped(Occurrence):
         """Return whether the body comes to rest at an event."""
         if event.kind not in self.kinds:
             return False
-        times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
+        times, speeds = trace.scan.times, row_lengths(Velocity.evaluate(trace.scan, self.name))
         slowest = rest_speed(trace, speeds)
         before = speeds[times < event.time - REST_SPEED_RTOL * times[-1]]  # the scan knows both sides of an event, too
         moved = len(before) > 0 and float(before[-1]) > slowest
@@ -195,7 +195,7 @@ class Halted(Stopped):
 
 
 def _speeds(trace: Trace, name: str) -> Array:
-    return np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
+    return row_lengths(Velocity.evaluate(trace.scan, name))
 
 
 @MOMENTS.register("highest_point")

@@ -80,7 +80,7 @@ class BodyFrame:
     def point(self, at: Triple = ZERO) -> Point:
         """Return a point fixed in this frame."""
         arm = self.turned(at)
-        position = add_triples(self.origin, arm)
+        position = self.origin if at is ZERO else add_triples(self.origin, arm)
         if self.spin is None:
             return Point(position, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
         gradient = {
@@ -238,13 +238,14 @@ class Frames:
 
     def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
-        frame = _shifted(frame, _along(axis, self._q[number]))
-        velocity = add_triples(frame.velocity, _along(axis, self._v[number]))
-        bias = frame.bias
+        arm = _along(axis, self._q[number])
+        velocity, bias = frame.point_motion(arm)
+        velocity = add_triples(velocity, _along(axis, self._v[number]))
         if frame.spin is not None:
             bias = add_triples(bias, scale_triple(2.0 * self._v[number], cross(frame.spin, axis)))
         steps = (*frame.steps, Step(number, axis, None))
-        return BodyFrame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
+        origin = add_triples(frame.origin, arm)
+        return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
 
     def _hinged(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
@@ -296,6 +297,10 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
 
 
 def initial_frames(mechanism: Mechanism) -> Frames:
-    """Return the initial frames, with all velocities zero."""
+    """Return the initial frames, with all velocities zero, computed once for each mechanism."""
+    return mechanism.memoize("initial frames", lambda: _at_start(mechanism))
+
+
+def _at_start(mechanism: Mechanism) -> Frames:
     rest = [0.0] * len(mechanism.coordinates)
     return Frames(mechanism, rest, rest, math, still=True)

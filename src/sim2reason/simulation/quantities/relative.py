@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, Mechanism
-from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State, row_lengths
 from sim2reason.scenes.dsl.vectors import dot, subtract_triples, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import CurvatureRadius, Velocity
@@ -69,7 +69,7 @@ class RelativeSpeed(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return |v − v′| in m/s, (n,)."""
         a, b = members(subject)
-        return np.linalg.norm(Velocity.evaluate(state, a) - Velocity.evaluate(state, b), axis=1)
+        return row_lengths(Velocity.evaluate(state, a) - Velocity.evaluate(state, b))
 
 
 @quantity

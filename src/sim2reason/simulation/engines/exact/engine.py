@@ -15,7 +15,15 @@ from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquatio
 from sim2reason.simulation.engines.exact.lengths import RowKind, SwitchState
 from sim2reason.simulation.engines.exact.linear import ContactMode, Row
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
-from sim2reason.simulation.engines.exact.motion import BEGINS, SIMULTANEITY_TOL, STOPS, LogState, Motion, Segment
+from sim2reason.simulation.engines.exact.motion import (
+    BEGINS,
+    SIMULTANEITY_TOL,
+    STOPS,
+    LogState,
+    Motion,
+    Sampler,
+    Segment,
+)
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
@@ -46,7 +54,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = DEFAULT_STEP
         trajectory.events,
         trajectory.end,
         trajectory.cut,
-        trajectory.state,
+        Sampler(trajectory),
         lambda: trajectory.knots,
         coarse,
         trajectory,

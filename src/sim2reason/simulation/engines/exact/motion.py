@@ -279,3 +279,32 @@ class Motion:
             dict(zip(contacts, forces[lines : lines + faces], strict=True)),
             dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
+
+
+MAX_RECENT_STATES, MAX_RECENT_INSTANTS = 32, 130  # number of states that a sampler caches, and of instants of each
+
+
+class Sampler:
+    """The function that gives a motion at some instants, with a cache of recent short states.
+
+    Searches for the same moment, and quantities at the same instants, then share what is computed from a state.
+    """
+
+    __slots__ = ("_motion", "_recent")
+
+    def __init__(self, motion: Motion) -> None:
+        """Store the motion."""
+        self._motion = motion
+        self._recent: dict[bytes, State] = {}
+
+    def __call__(self, times: Array) -> State:
+        """Return the motion at times ≥ 0, s, shape (m,)."""
+        if len(times) > MAX_RECENT_INSTANTS:
+            return self._motion.state(times)
+        key = times.tobytes()
+        state = self._recent.get(key)
+        if state is None:
+            if len(self._recent) >= MAX_RECENT_STATES:
+                self._recent.clear()
+            state = self._recent[key] = self._motion.state(times)
+        return state

@@ -4,6 +4,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from math import hypot
 
+from sim2reason.base.records import record
 from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBody
 from sim2reason.scenes.dsl.structure import rotates_one_way
 from sim2reason.scenes.dsl.vectors import Vector, add, outer, scale
@@ -13,7 +14,7 @@ RIMS = ("left", "right"), ("in", "out")  # the sites where a string meets a pull
 DIRECTION_TOL = 1e-9  # largest vertical component of a horizontal direction; length of a vanishing direction
 
 
-@dataclass(frozen=True, slots=True)
+@record(slots=True)
 class CenterPath:
     """The possible motions of the centre of mass of a body in the world frame.
 
@@ -56,8 +57,11 @@ def ancestor_chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
 
 
 def center_path(mechanism: Mechanism, name: str) -> CenterPath:
-    """Return the possible motions of the centre of mass of a body."""
-    bodies = ancestor_chain(mechanism, name)
+    """Return the possible motions of the centre of mass of a body, computed once for each mechanism and body."""
+    return mechanism.memoize(("center path", name), lambda: _path_of(ancestor_chain(mechanism, name)))
+
+
+def _path_of(bodies: list[RigidBody]) -> CenterPath:
     ways: list[Vector] = []
     turns: list[Vector] = []
     bends = swings = False
