@@ -2,39 +2,43 @@
 
 import functools
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass
-from typing import Any, TypeVar, cast, dataclass_transform, overload
+from dataclasses import dataclass, field
+from typing import Any, Protocol, TypeVar, cast, dataclass_transform, overload
 
 T = TypeVar("T")
 
 
-@dataclass_transform(frozen_default=True)
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(*, slots: bool = False, eq: bool = True, hashed_once: bool = False) -> Callable[[type[T]], type[T]]:
     """Return a decorator for data classes that type checkers treat as frozen, with a hash of their fields.
 
     A frozen data class assigns each field through `object.__setattr__`, which makes creation three times slower. At run
-    time nothing prevents an assignment. With `hashed_once`, each object keeps its hash in the attribute `_hash`.
+    time nothing prevents an assignment. With `hashed_once`, each object keeps its hash in its field `kept_hash`.
     """
 
     def decorated(cls: type[T]) -> type[T]:
         hashed = eq and "__hash__" not in vars(cls)
         made = dataclass(cls, slots=slots, eq=eq, unsafe_hash=hashed)
         if hashed and hashed_once:
-            made.__hash__ = _kept_hash(made.__hash__)
+            cast("Any", made).__hash__ = _kept_hash(made.__hash__)
         return made
 
     return decorated
 
 
-def _kept_hash(compute: Callable[[Any], int]) -> Callable[[Any], int]:
+class _KeepsHash(Protocol):
+    """An object with a field for its hash, None until it is computed."""
+
+    kept_hash: int | None
+
+
+def _kept_hash(compute: Callable[[Any], int]) -> Callable[[_KeepsHash], int]:
     """Return a hash method that computes the hash of an object once."""
 
-    def kept(self: Any) -> int:
-        try:
-            return self._hash
-        except AttributeError:
-            self._hash = result = compute(self)
-            return result
+    def kept(self: _KeepsHash) -> int:
+        if self.kept_hash is None:
+            self.kept_hash = compute(self)
+        return self.kept_hash
 
     return kept
 

@@ -1,5 +1,6 @@
 """Tests of expressions: values, derivatives, LaTeX, and agreement of the LaTeX with the values."""
 
+import pickle
 from math import cos, pi, sin, sqrt
 
 import pytest
@@ -139,3 +140,14 @@ def test_a_polynomial_has_the_value_of_its_formula_to_the_last_digit() -> None:
     held = x * x * y.scale(0.3) - sine * sine * y.scale(1.7) + Polynomial({((A, -2), (M, 1)): -2.9, (): 0.1})
     at = {A.name: 0.37, M.name: 1.93, THETA.name: 0.61}
     assert held.value(at) == held.expression().value(at)
+
+
+def test_a_pickled_formula_leaves_its_kept_hash_behind() -> None:
+    """Strings have other hashes in another process."""
+    formula = Root(sum_terms(M, Power(A, 2)))
+    hash(formula)
+    text = formula.latex()
+    copied = pickle.loads(pickle.dumps(formula))
+    assert copied == formula
+    assert copied.kept_hash is None
+    assert copied.latex() == text

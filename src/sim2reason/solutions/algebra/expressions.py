@@ -2,11 +2,10 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import field, fields
 from fractions import Fraction
 from functools import lru_cache
 from math import prod
-from typing import Any, cast
 
 from sim2reason.base.records import record
 
@@ -71,6 +70,7 @@ Scalar = float | complex
 Values = Mapping[str, Scalar]
 
 
+@record(slots=True, eq=False)
 class Expression:
     """A symbolic formula. Symbols are named by their LaTeX.
 
@@ -78,14 +78,13 @@ class Expression:
     Formulas are deep and immutable, and their hash, LaTeX and names are read often: each object computes them once.
     """
 
-    __slots__ = ("_hash", "_latex", "_names")
-    _hash: int
-    _latex: str
-    _names: frozenset[str]
+    kept_hash: int | None = field(default=None, init=False, repr=False, compare=False)
+    _latex: str | None = field(default=None, init=False, repr=False, compare=False)
+    _names: frozenset[str] | None = field(default=None, init=False, repr=False, compare=False)
 
     def __reduce__(self) -> "tuple[type[Expression], tuple[object, ...]]":
         """Return the class and the fields for pickling, without the hash, which differs between processes."""
-        return type(self), tuple(getattr(self, each.name) for each in fields(cast("Any", self)))
+        return type(self), tuple(getattr(self, each.name) for each in fields(self) if each.init)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Evaluate the formula for given values of its symbols; with `digits`, intermediate results are rounded."""
@@ -93,11 +92,11 @@ class Expression:
 
     def latex(self) -> str:
         """Return the LaTeX without dollar signs."""
-        try:
-            return self._latex
-        except AttributeError:
-            self._latex = text = self._written()
-            return text
+        text = self._latex
+        if text is None:
+            text = self._written()
+            object.__setattr__(self, "_latex", text)
+        return text
 
     def _written(self) -> str:
         """Return the LaTeX without dollar signs, not cached."""
@@ -118,11 +117,11 @@ class Expression:
     @property
     def names(self) -> frozenset[str]:
         """Return the names of the symbols."""
-        try:
-            return self._names
-        except AttributeError:
-            self._names = names = frozenset(self.symbols())
-            return names
+        names = self._names
+        if names is None:
+            names = frozenset(self.symbols())
+            object.__setattr__(self, "_names", names)
+        return names
 
     @property
     def parts(self) -> "tuple[Expression, ...]":

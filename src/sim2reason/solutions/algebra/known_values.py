@@ -57,10 +57,10 @@ def _rebuilt(expression: Expression, parts: tuple[Expression, ...]) -> Expressio
         case Product():
             return Product(parts)
         case Quotient():
-            return Quotient(*parts)
+            return Quotient(parts[0], parts[1])
         case Power(_, exponent):
-            return Power(*parts, exponent)
+            return Power(parts[0], exponent)
         case Call(function, _):
-            return Call(function, *parts)
+            return Call(function, parts[0])
         case _:
-            return type(expression)(*parts)
+            return expression.built_of(parts)

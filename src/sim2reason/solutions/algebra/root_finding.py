@@ -218,7 +218,6 @@ def values_with(chain: Chain, target: float, unknown: str, book: SolutionBuilder
 
     The search covers values with the sign of the known value; angles up to 90°, coefficients of restitution up to 1.
     """
-
     try:
         plain = with_known_values(chain, book.values, unknown)
     except (ValueError, ArithmeticError):  # then the chain has no value anywhere

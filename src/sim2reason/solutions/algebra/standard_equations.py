@@ -58,11 +58,7 @@ def stated_equation(
         rest = zero
         for part, atom, power in zip(parts, (first, second), powers, strict=True):
             rest = rest - part * Polynomial({((atom, power),): 1.0})
-        if (
-            not all(parts)
-            or name in rest.names()
-            or any(name in p.names() for p in parts)
-        ):
+        if not all(parts) or name in rest.names() or any(name in p.names() for p in parts):
             continue
         sign = -1.0 if written(parts[0]).negative else 1.0
         terms = (
