@@ -12,8 +12,9 @@ from sim2reason.solutions.algebra.evaluated import (
     NumericFormula,
     NumericRoot,
 )
-from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol, round_to_digits
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
+from sim2reason.solutions.algebra.rounded_numbers import round_to_digits
 from sim2reason.solutions.solution import Integration, Relation, Solution, Step, with_unit
 
 Tree: TypeAlias = float | str | list["Tree"]

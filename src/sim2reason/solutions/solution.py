@@ -11,9 +11,10 @@ from sim2reason.grading.parts import PART_LABELS
 from sim2reason.questions.difficulty import Need, most_advanced
 from sim2reason.questions.spoken_units import SpokenUnits
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
-from sim2reason.solutions.algebra.expressions import DIGITS, Expression, Number, rounded_latex
+from sim2reason.solutions.algebra.expressions import Expression, Number
 from sim2reason.solutions.algebra.functions import need_of
 from sim2reason.solutions.algebra.plain_latex import plain_latex
+from sim2reason.solutions.algebra.rounded_numbers import DIGITS, rounded_latex
 from sim2reason.solutions.writing.notation import DEGREES, latex
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]

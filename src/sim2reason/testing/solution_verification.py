@@ -12,7 +12,8 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import gradient
-from sim2reason.solutions.algebra.expressions import DIGITS, Expression, Sum, Symbol, round_to_digits
+from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.algebra.rounded_numbers import DIGITS, round_to_digits
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution

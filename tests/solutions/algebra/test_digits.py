@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.algebra.expressions import pure_number
+from sim2reason.solutions.algebra.rounded_numbers import pure_number
 
 
 @pytest.mark.parametrize(

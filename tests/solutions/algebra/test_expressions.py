@@ -11,19 +11,11 @@ from sim2reason.grading import arithmetic
 from sim2reason.grading.parser import parse
 from sim2reason.grading.tokens import tokenize
 from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot, gradient
-from sim2reason.solutions.algebra.expressions import (
-    Expression,
-    Number,
-    Symbol,
-    multiply_factors,
-    ratio,
-    round_to_digits,
-    rounded_latex,
-    sum_terms,
-)
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiply_factors, ratio, sum_terms
 from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.algebra.rounded_numbers import round_to_digits, rounded_latex
 
 M, A, THETA = Symbol("m_A"), Symbol("a"), Symbol(r"\theta")
 AT = {"m_A": 2.5, "a": 1.25, r"\theta": 0.6}

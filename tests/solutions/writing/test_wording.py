@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sim2reason.solutions
-from sim2reason.solutions.algebra.expressions import rounded_latex
+from sim2reason.solutions.algebra.rounded_numbers import rounded_latex
 from sim2reason.solutions.solution import Solution
 
 ODD = (

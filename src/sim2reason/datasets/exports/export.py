@@ -22,7 +22,7 @@ from sim2reason.generation.item import Answer, Item, QuestionPart
 from sim2reason.grading.parts import PART_LABELS
 from sim2reason.questions.prompt_formats import MINUS, PartPrompt, format_numbers
 from sim2reason.scenes.dsl.measures import join_unit
-from sim2reason.solutions.algebra.expressions import DIGITS
+from sim2reason.solutions.algebra.rounded_numbers import DIGITS
 
 
 def split_parts(item: Item) -> tuple[Item, ...]:

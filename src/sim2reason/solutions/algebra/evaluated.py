@@ -6,15 +6,8 @@ from itertools import pairwise
 from math import pi
 
 from sim2reason.base.records import record
-from sim2reason.solutions.algebra.expressions import (
-    Expression,
-    Number,
-    Scalar,
-    Values,
-    round_to_digits,
-    rounded_latex,
-    with_guard_digits,
-)
+from sim2reason.solutions.algebra.expressions import Expression, Number, Scalar, Values
+from sim2reason.solutions.algebra.rounded_numbers import round_to_digits, rounded_latex, with_guard_digits
 
 MAX_MEAN_STEPS = 40  # most steps of the arithmetic-geometric mean; six suffice for nearly all moduli
 MEANS_ATOL = 1e-17  # difference of the two means at which the iteration ends

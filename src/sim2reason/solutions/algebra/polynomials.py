@@ -214,17 +214,11 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
 
 def atom_sort_key(part: tuple[Expression, int]) -> tuple[int, str]:
     """Return the sort key of an atom in a product: µ, masses, others, g, unknowns, roots, functions."""
-    atom = part[0]
-    if isinstance(atom, Root):
-        return 8, atom.latex()
-    if isinstance(atom, Call):
-        return 9, atom.latex()
-    return _letter_sort_key(atom.latex())
-
-
-@lru_cache(maxsize=1024)
-def _letter_sort_key(name: str) -> tuple[int, str]:
-    """Return the sort key of an atom that is neither a root nor a function."""
+    name = part[0].latex()
+    if isinstance(part[0], Root):
+        return 8, name
+    if isinstance(part[0], Call):
+        return 9, name
     return LETTER_RANKS.get(name.partition("_")[0], 2), name
 
 

@@ -15,10 +15,10 @@ from sim2reason.solutions.algebra.expressions import (
     Symbol,
     multiply_factors,
     ratio,
-    simple_fraction,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, is_difference, simplify_inverse
 from sim2reason.solutions.algebra.plain_latex import without_nested_fractions
+from sim2reason.solutions.algebra.rounded_numbers import simple_fraction
 from sim2reason.solutions.closed_forms.gathering import factor_terms, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import latex_length, shortest_form
 from sim2reason.solutions.closed_forms.tidying import tidy

@@ -17,10 +17,10 @@ from sim2reason.solutions.algebra.expressions import (
     Sum,
     multiply_factors,
     ratio,
-    simple_fraction,
     sum_terms,
 )
 from sim2reason.solutions.algebra.functions import Power, is_difference
+from sim2reason.solutions.algebra.rounded_numbers import simple_fraction
 from sim2reason.solutions.closed_forms.rewriting import latex_length
 
 MAX_TERMS = 30  # terms of a sum that is factored, at most

@@ -9,16 +9,10 @@ from typing import Protocol
 from sim2reason.questions import SimulatedScene
 from sim2reason.questions.kinds.nested import NestedQuery
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import (
-    Expression,
-    Number,
-    Product,
-    Symbol,
-    multiply_factors,
-    simple_fraction,
-)
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiply_factors
 from sim2reason.solutions.algebra.functions import Power, simplify_inverse
 from sim2reason.solutions.algebra.root_finding import substitute, substitute_all
+from sim2reason.solutions.algebra.rounded_numbers import simple_fraction
 from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula, defined_by, simplified_form
 from sim2reason.solutions.closed_forms.tidying import tidy
 from sim2reason.solutions.setting import ProblemContext, join_words

@@ -15,17 +15,10 @@ from sim2reason.questions.moments import Happening
 from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import Event, Trace
-from sim2reason.solutions.algebra.expressions import (
-    DIGITS,
-    Expression,
-    Number,
-    Sum,
-    Symbol,
-    multiply_factors,
-    sum_terms,
-)
+from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Symbol, multiply_factors, sum_terms
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.algebra.rounded_numbers import DIGITS
 from sim2reason.solutions.goals import Components
 from sim2reason.solutions.phases.conditions import vector_magnitude
 from sim2reason.solutions.phases.equations import PhaseEquations

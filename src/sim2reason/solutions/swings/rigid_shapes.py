@@ -11,17 +11,9 @@ from functools import reduce
 from math import cos, pi, prod
 
 from sim2reason.scenes.dsl.solids import Shape
-from sim2reason.solutions.algebra.expressions import (
-    ONE,
-    ZERO,
-    Expression,
-    Number,
-    Product,
-    Sum,
-    multiply_factors,
-    simple_fraction,
-)
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiply_factors
 from sim2reason.solutions.algebra.functions import PI, Call, Power, sum_formulas, sum_of_squares
+from sim2reason.solutions.algebra.rounded_numbers import simple_fraction
 from sim2reason.solutions.writing.notation import JOULES
 from sim2reason.solutions.writing.steps import SolutionBuilder, record_inequality
 

@@ -22,9 +22,10 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Word
-from sim2reason.solutions.algebra.expressions import MAX_SIMPLE_DENOMINATOR, SIMPLE_FRACTION_RTOL, Symbol, full_latex
+from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.rounded_numbers import MAX_SIMPLE_DENOMINATOR, SIMPLE_FRACTION_RTOL, full_latex
 from sim2reason.solutions.writing.notation import latex
 from sim2reason.solutions.writing.number_sums import LabelledNumber, sum_of_products
 from sim2reason.text.prose.description import formula_unit_factor

@@ -13,17 +13,9 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Final
 
-from sim2reason.solutions.algebra.expressions import (
-    Expression,
-    Number,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-    rounded_latex,
-    simple_fraction,
-)
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
+from sim2reason.solutions.algebra.rounded_numbers import rounded_latex, simple_fraction
 from sim2reason.solutions.solution import CHECKS, Solution
 
 __all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "format_number", "given_values"]
