@@ -53,6 +53,19 @@ def with_values(value: V, news: Mapping[str, object]) -> V:
     return type(value)(**members)  # type: ignore[return-value]
 
 
+def changes_numbers_alone(entities: Mapping[str, Named], changes: Mapping[str, Mapping[str, object]]) -> bool:
+    """Return whether changes, by name and path, give numbers alone, and none where an entity has none.
+
+    Which connections an entity admits depends only on its class and on which of its fields are absent.
+    """
+    return all(
+        type(value) is float
+        and ("." in path or head not in entities or getattr(entities[head].entity, path, None) is not None)
+        for head, news in changes.items()
+        for path, value in news.items()
+    )
+
+
 def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
     """Return the entity and port names to which the links of some connections lead."""
     return {(link.entity, link.port) for link in chain.from_iterable(paths)}

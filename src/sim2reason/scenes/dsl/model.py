@@ -298,6 +298,12 @@ def _draw_field(
     return tuple(one() for _ in range(size))
 
 
+def replace_valid(value: M, **fields: object) -> M:
+    """Return a copy with some fields replaced by values with which it is known to be valid."""
+    known = value.__dict__
+    return type(value).model_construct(None, **{name: known[name] for name in field_names(type(value))} | fields)
+
+
 def replace_validated(value: M, **fields: object) -> M:
     """Return a copy with some fields replaced, validated again."""
     known = value.__dict__

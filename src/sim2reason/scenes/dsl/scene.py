@@ -7,7 +7,7 @@ from pydantic import SerializeAsAny, model_validator
 
 from sim2reason.base.records import abridge, cached_property, format_count
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import idle_fields, lookup, with_values, without_idle_fields
+from sim2reason.scenes.dsl.addresses import changes_numbers_alone, idle_fields, lookup, with_values, without_idle_fields
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection, Joint, Link
@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.defaults import horizon, place_entities, within_oscil
 from sim2reason.scenes.dsl.entity import Entity, Name, Named, Part, internal_connections, outer_ports, port_stops
 from sim2reason.scenes.dsl.measures import Gravity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
-from sim2reason.scenes.dsl.model import Model, Parameter, field_names, parameters, replace_validated
+from sim2reason.scenes.dsl.model import Model, Parameter, field_names, parameters, replace_valid, replace_validated
 from sim2reason.scenes.dsl.ports import Pass, Port, Stop, reversed_stops, travelled
 from sim2reason.scenes.dsl.units import UnitSystem
 
@@ -313,6 +313,7 @@ class Scene(Model):
         for path, value in values.items():
             head, _, rest = path.partition(".")
             changes.setdefault(head, {})[rest] = value
+        replace = replace_validated if self.glued or not changes_numbers_alone(entities, changes) else replace_valid
         for head, news in changes.items():
             if head == "world":
                 world = with_values(world, news)
@@ -321,9 +322,7 @@ class Scene(Model):
             else:
                 current = entities[head].entity if head in entities else self.entity(head, f"{head}.{next(iter(news))}")
                 entities[head] = Named(name=head, entity=with_values(current, news))
-        return replace_validated(
-            self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values())
-        )
+        return replace(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
 
     def without(self, address: str) -> "Scene":
         """Return the scene without an entity, an optional part, or a member of a variable-length part.
