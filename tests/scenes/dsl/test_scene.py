@@ -4,6 +4,7 @@ import pytest
 
 from sim2reason.errors import SceneError
 from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import FixedBall
 from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley, Plane
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Connection, Link
@@ -12,6 +13,8 @@ from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.scenes.dsl.ports import Port
 from sim2reason.scenes.dsl.scene import Scene, World
+from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.pieces import FIRST, BallPiece
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, MassWithReverseMovablePulley
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.string_ends import ConstantForcePuller, FixedSupport, Hanging
@@ -51,6 +54,22 @@ def test_having_makes_another_scene() -> None:
     assert (new.value("ramp.plane.angle"), new.world.gravity, new.value("tendon_1.free")) == (45.0, 1.6, 3.3)
     assert new.mechanism.gravity == (0.0, 0.0, -1.6)
     assert bight().value("ramp.plane.angle") == 30.0
+
+
+def test_a_scene_with_other_numbers_equals_a_validated_one() -> None:
+    new, plane = bight().having("ramp.plane.angle", 45.0), Plane(angle=45.0, friction=0.1)
+    string = bight().connections[0]
+    ramp = TwoSideMassPlane(plane=plane, blocks=RAMP.blocks)
+    assert new == scene((string,), ramp=ramp, bight=BIGHT, left=hanging(1.5))
+    assert Scene.model_validate(new) == new
+    assert "builder" not in new.__dict__
+
+
+def test_a_number_that_only_an_open_port_needs_is_refused() -> None:
+    ball = BallPiece(body=FixedBall(mass=1.0), distance=0.4, side=FIRST)
+    arm = scene((), arm=RotationEntity(pieces=(ball,), angle=50.0))
+    with pytest.raises(SceneError, match="reach only matters to what is joined"):
+        arm.having("arm.reach", 0.5)
 
 
 def test_without_an_entity_a_string_that_passed_it_goes_on() -> None:

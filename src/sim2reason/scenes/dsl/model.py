@@ -71,7 +71,8 @@ class Model(BaseModel):
     @model_validator(mode="after")
     def _relations_hold(self) -> Self:
         """Raise ValueError if a count or an index contradicts another field."""
-        broken = violated_relation(self, relations(type(self), field_types))
+        declared = relations(type(self), field_types)
+        broken = violated_relation(self, declared) if any(declared) else ""
         if broken:
             raise ValueError(broken)
         return self
