@@ -104,6 +104,8 @@ class Lines:
             for wheel in line.wheels:
                 self._wound[owner, index[wheel.coordinate]] += wheel.radius
         self._wheels, self._single = bool(self._wound.any()), len(segments) == len(lines)
+        self._steady = straight and None not in [kept for *_, kept in self._ends]
+        self._gradients: Array | None = None  # where they never change, since all is steady
         self._apart: list[Array] = []  # how the Jacobians of the ends of each segment differ
         self._columns: list[list[list[float]]] = []  # their columns
         self._jacobians = np.zeros((len(names), 3, self._joints))
@@ -122,15 +124,21 @@ class Lines:
     def lengths(self, q: Array) -> Lengths:
         """Return the lengths of the lines, with gradients and segments."""
         runs, directions = self._measure()
+        gradients = self._gradients
+        if gradients is None:
+            gradients = self._differentiate(directions)
+            self._gradients = gradients if self._steady else None
+        return Lengths(self._lengths(runs, q), gradients, Segments(runs, directions, self._apart))
+
+    def _differentiate(self, directions: list[Vector]) -> Array:
+        """Return the gradients of the lengths, (lines, joints)."""
         self._differ()
         parts = [
             [0.0 + x * a + y * b + z * c for a, b, c in columns]  # without negative zeros, as in a sum
             for (x, y, z), columns in zip(directions, self._columns, strict=True)
         ]
         gradients = self._sum_segments(np.array(parts).reshape(len(parts), self._joints))
-        if self._wheels:
-            gradients = gradients + self._wound
-        return Lengths(self._lengths(runs, q), gradients, Segments(runs, directions, self._apart))
+        return gradients + self._wound if self._wheels else gradients
 
     def _measure(self) -> tuple[list[float], list[Vector]]:
         """Return the lengths and directions of the segments; floats, since few numbers take numpy longer."""
@@ -153,6 +161,8 @@ class Lines:
 
     def bends(self, v: Array, segments: Segments) -> list[float]:
         """Return the second derivatives of the lengths at q̈ = 0, m/s²."""
+        if self._steady:
+            return [0.0] * len(self.lines)
         runs, directions, moved = segments
         second_derivatives = [
             _turning(jacobian.dot(v).tolist(), direction, run) if kept is None else 0.0
@@ -225,6 +235,8 @@ class Pulls:
 
     def deformation_rates(self, q: Array, v: Array) -> list[float]:
         """Return the rates of the active deformations of the one-sided springs, m/s."""
+        if not self._halves:
+            return []
         gradients = self._lines.lengths(q).gradients
         return [law.side * float(gradients[place].dot(v)) for place, law in self._halves]
 

@@ -66,6 +66,9 @@ class EventSearch:
     def due(self, duration: float) -> tuple[Knot, list[EventFunction]] | None:
         """Return the step's end at its first event, and the event functions that signal it; None without event."""
         start, before = self._step[0], self._ends[0]
+        if self._acting.unbound and not (before or self._acting.constant):
+            self._acting.model.spend()  # as a search that looks at one state
+            return None
         if self._least(before) < 0.0:
             events = zip(self._acting.events, before, self._depth, strict=True)
             return start, [event for event, value, r in events if value + r < 0.0]
@@ -186,6 +189,9 @@ class EventSearch:
         if not reach:
             return None
         falls = [(later - left) / SLOPE_STEP for later, left in zip(self._distances(SLOPE_STEP), ends[0], strict=True)]
+        if not any(fall < 0.0 for fall in falls):
+            acting.model.spend()
+            return None
         before = self._distances(1.0 - SLOPE_STEP)
         rises = [(right - earlier) / SLOPE_STEP for right, earlier in zip(ends[1], before, strict=True)]
         for number, (left, right, fall, rise, meets) in enumerate(zip(*ends, falls, rises, reach, strict=True)):

@@ -113,20 +113,9 @@ class Quintic:
     def __init__(self, first: Knot, last: Knot) -> None:
         """Compute the coefficients of the interpolation."""
         n = len(first.values) // 2
-        self._time, self._span = first.time, last.time - first.time
-        h = self._span
-        q0, v0, a0 = first.values[:n], first.values[n:] * h, first.rates[n:] * h * h
-        q1, v1, a1 = last.values[:n], last.values[n:] * h, last.rates[n:] * h * h
-        rise = q1 - q0
-        self._c = (
-            q0,
-            v0,
-            0.5 * a0,
-            10.0 * rise - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1,
-            -15.0 * rise + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1,
-            6.0 * rise - 3.0 * (v0 + v1) - 0.5 * (a0 - a1),
-        )
-        self._start = first.values
+        self._time, self._span, self._start = first.time, last.time - first.time, first.values
+        ends = (first.values[:n], first.values[n:], first.rates[n:], last.values[:n], last.values[n:], last.rates[n:])
+        self._joints = [_coefficients(self._span, *at) for at in zip(*(end.tolist() for end in ends), strict=True)]
 
     def at(self, time: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time of the step, (joints,) each."""
@@ -134,10 +123,28 @@ class Quintic:
             n = len(self._start) // 2
             return self._start[:n], self._start[n:]
         x = (time - self._time) / self._span
-        q0, v0, c, d, e, f = self._c
-        q = q0 + x * (v0 + x * (c + x * (d + x * (e + x * f))))
-        v = (v0 + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + 5.0 * x * f)))) / self._span
-        return q, v
+        q = [q0 + x * (v0 + x * (c + x * (d + x * (e + x * f)))) for q0, v0, c, d, e, f in self._joints]
+        v = [
+            (v0 + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + 5.0 * x * f)))) / self._span
+            for _, v0, c, d, e, f in self._joints
+        ]
+        return np.array(q), np.array(v)
+
+
+def _coefficients(
+    h: float, q0: float, v0: float, a0: float, q1: float, v1: float, a1: float
+) -> tuple[float, float, float, float, float, float]:
+    """Return the polynomial of the fraction of a step of length `h`, from position, velocity and acceleration."""
+    v0, a0, v1, a1 = v0 * h, a0 * h * h, v1 * h, a1 * h * h
+    rise = q1 - q0
+    return (
+        q0,
+        v0,
+        0.5 * a0,
+        10.0 * rise - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1,
+        -15.0 * rise + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1,
+        6.0 * rise - 3.0 * (v0 + v1) - 0.5 * (a0 - a1),
+    )
 
 
 def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:

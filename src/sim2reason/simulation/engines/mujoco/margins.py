@@ -45,7 +45,7 @@ class ActingModel:
         self.model, self.record, self.switches, self.mode, self._found = model, record, switches, found.mode, found
         self.constant = model.constant
         self.rate = self._constant_rate if self.constant else self._rate()
-        self._unbound = not (found.mode.rows or found.mode.faces)  # nothing constrains it: no force is looked for
+        self.unbound = not (found.mode.rows or found.mode.faces)  # nothing constrains it: no force is looked for
         one_sided = [number for number, row in enumerate(model.rows()) if not row.both]
         self._one_sided = [i for i in one_sided if not (self.constant and found.mode.rows[i])]
         self._loose = [number for number, stuck in enumerate(switches.stuck) if not stuck]
@@ -141,9 +141,9 @@ class ActingModel:
     def knot(self, time: float, values: Array) -> tuple[Knot, list[float]]:
         """Return the record of the end of a step (time, state, rates), and the values of all event functions there."""
         n = self.model.size
-        if self.constant or not self._unbound:  # otherwise `rate` sets the state
+        if self.constant or not self.unbound:  # otherwise `rate` sets the state
             self.model.set_state(time, values[:n], values[n:], self.switches)
-        if self.constant or self._unbound:
+        if self.constant or self.unbound:
             return Knot(time, values, self.rate(time, values)), self.margins()
         forces = self.forces()
         return Knot(time, values, np.concatenate([values[n:], forces.x])), self._margins(forces)
@@ -161,7 +161,7 @@ class ActingModel:
 
     def margins(self) -> list[float]:
         """Return the values of all event functions at the present state of the model."""
-        if not (self.constant or self._unbound):
+        if not (self.constant or self.unbound):
             return self._margins(self.forces())
         if not self.constant:
             return [*self._positions(), *self._switches()]

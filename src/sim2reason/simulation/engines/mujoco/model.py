@@ -133,7 +133,7 @@ class CompiledModel:
 
     def set_state(self, time: float, q: Array, v: Array, switches: SwitchState) -> None:
         """Set the positions and velocities of the joints at a time."""
-        self.budget.spend(self._cost)
+        self.spend()
         was = self.time
         self._switches_now = switches
         self._rows: list[Row] | None = None
@@ -148,6 +148,10 @@ class CompiledModel:
         self._qpos[:], self._qvel[:] = q, v
         mujoco.mj_fwdPosition(self._model, self._data)
         mujoco.mj_fwdVelocity(self._model, self._data)
+
+    def spend(self) -> None:
+        """Subtract the operations of one state from the budget."""
+        self.budget.spend(self._cost)
 
     def _burn(self) -> None:
         for burn, burning in zip(self.mechanism.burns, self._switches_now.burning, strict=True):
