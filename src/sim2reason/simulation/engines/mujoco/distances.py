@@ -255,19 +255,18 @@ class Attractions:
     ) -> None:
         """Index the pairs by `bodies` in the compiled `model`, whose state is `data`; `straight`: no joint rotates."""
         self._pairs, self._model, self._data, self._straight = pairs, model, data, straight
-        self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
-        self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)
         self._ends = [(bodies[pair.a], bodies[pair.b]) for pair in pairs]
-        self._constants = np.array([pair.constant for pair in pairs])
+        self._first, self._last = [first for first, _ in self._ends], [last for _, last in self._ends]
+        self._constants = [pair.constant for pair in pairs]
         self._exponents = np.array([-0.5 * (pair.power + 1.0) for pair in pairs])
-        self._bodies = sorted({*self._first.tolist(), *self._last.tolist()})
+        self._bodies = sorted({*self._first, *self._last})
         self._jacobians = np.zeros((int(model.nbody), 3, int(model.nv)))
         self._apart: Array | None = None  # how the Jacobians of each pair differ, where nothing turns
         self._began = np.zeros(0)
 
     def begin(self) -> None:
         """Store the present distances as those at the start."""
-        self._began = self._squares()[1]
+        self._began = np.array(self._squares()[1])
 
     def closeness(self) -> float:
         """Return the smallest ratio of a pair's present to initial distance, at most 1, to scale the step tolerance.
@@ -275,31 +274,32 @@ class Attractions:
         When two bodies pass closely, a small error of their positions is a large part of their distance, which
         determines their deflection.
         """
-        squares = self._squares()[1]
+        squares = np.array(self._squares()[1])
         return max(MIN_CLOSENESS, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
-    def _squares(self) -> tuple[list[Vector], Array]:
-        """Return the separation of the centres of mass of each pair, m, and its square, (pairs,), m²."""
+    def _squares(self) -> tuple[list[Vector], list[float]]:
+        """Return the separation of the centres of mass of each pair, m, and its square, m²."""
         places: list[list[float]] = self._data.xipos.tolist()
         separations: list[Vector] = []
         for first, last in self._ends:
             (x, y, z), (a, b, c) = places[first], places[last]
             separations.append((a - x, b - y, c - z))
-        return separations, np.array([x * x + y * y + z * z for x, y, z in separations])
+        return separations, [x * x + y * y + z * z for x, y, z in separations]
 
     def load(self) -> Array:
         """Return the load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass, for present masses."""
         separations, squares = self._squares()
-        if not squares.all():
-            pair = self._pairs[int(squares.argmin())]
+        if 0.0 in squares:
+            pair = self._pairs[squares.index(0.0)]
             raise SimulationError(f"{pair.a} and {pair.b} are at one place")
-        masses = self._model.body_mass
-        pulls: Array = self._constants * masses.take(self._first)
-        pulls *= masses.take(self._last)
-        pulls *= squares**self._exponents
-        parts = [
-            pull * part for pull, separation in zip(pulls.tolist(), separations, strict=True) for part in separation
-        ]
+        masses: list[float] = self._model.body_mass.tolist()
+        powers = (np.array(squares) ** self._exponents).tolist()
+        parts: list[float] = []
+        for (first, last), (x, y, z), constant, power in zip(
+            self._ends, separations, self._constants, powers, strict=True
+        ):
+            pull = constant * masses[first] * masses[last] * power
+            parts += (pull * x, pull * y, pull * z)
         return np.array(parts).dot(self._jacobians_apart())
 
     def _jacobians_apart(self) -> Array:

@@ -206,7 +206,7 @@ class ActingModel:
         model, meetings = self.model, self.model.mechanism.meetings
         gap, q = model.square_gap if self.constant else model.gap, model.q.tolist()
         gaps = [gap(meetings[number]) for number in self._loose]
-        reaches = [self.record.run_length(number) for number in range(len(self.record.runs))]
+        reaches = self.record.run_lengths()
         return [*gaps, *reaches, *(limit - q[at] if side > 0 else q[at] - limit for _, at, side, limit in self._limits)]
 
     def _switches(self) -> list[float]:

@@ -228,9 +228,10 @@ class CompiledModel:
         mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
         return np.asarray(dot.dot(self.v), dtype=np.float64)
 
-    def place(self, site: str) -> Array:
-        """Return the present position of a site, (3,), valid until the next state is set."""
-        return self._sites[site]
+    def places(self, ends: list[tuple[str, str]]) -> list[tuple[list[float], list[float]]]:
+        """Return the present positions of pairs of sites, m."""
+        places: list[list[float]] = self._data.site_xpos.tolist() if ends else []
+        return [(places[self._site_id[first]], places[self._site_id[last]]) for first, last in ends]
 
     def site(self, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site."""

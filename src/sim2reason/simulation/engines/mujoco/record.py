@@ -46,8 +46,7 @@ class MotionRecord:
         self._model = model
         self.intervals: list[ModeInterval] = []
         self.runs = self._runs()
-        kept = (model.directions.get(run) for run in self.runs)
-        self._directions = [None if direction is None else np.array(direction) for direction in kept]
+        self._directions = [model.directions.get(run) for run in self.runs]
 
     def _runs(self) -> list[tuple[str, str]]:
         """Return the ends of the straight line segments that may coincide."""
@@ -62,13 +61,17 @@ class MotionRecord:
                 moving.append((first, last))
         return moving
 
-    def run_length(self, number: int) -> float:
-        """Return the distance of the ends of a line segment, m; negative once they have passed through each other."""
-        first, last = self.runs[number]
-        separation, direction = np.subtract(self._model.place(last), self._model.place(first)), self._directions[number]
-        if direction is None:
-            return sqrt(separation.dot(separation)) - PASSING_DISTANCE
-        return float(separation.dot(direction)) - COINCIDENCE_DISTANCE
+    def run_lengths(self) -> list[float]:
+        """Return the distances of the ends of line segments, m; negative once they have passed through each other."""
+        lengths: list[float] = []
+        for (first, last), direction in zip(self._model.places(self.runs), self._directions, strict=True):
+            x, y, z = last[0] - first[0], last[1] - first[1], last[2] - first[2]
+            if direction is None:
+                lengths.append(sqrt(x * x + y * y + z * z) - PASSING_DISTANCE)
+            else:
+                a, b, c = direction
+                lengths.append(x * a + y * b + z * c - COINCIDENCE_DISTANCE)
+        return lengths
 
     def run_rate(self, number: int) -> float:
         """Return the rate of change of the distance of the ends of a line segment at present, m/s."""
@@ -77,7 +80,7 @@ class MotionRecord:
         direction, far = self._directions[number], sqrt(separation.dot(separation))
         if direction is None and far == 0.0:
             return -sqrt(parting.dot(parting))
-        return float((separation / far if direction is None else direction).dot(parting))
+        return float((separation / far if direction is None else np.array(direction)).dot(parting))
 
     @property
     def last(self) -> Knot:
