@@ -159,7 +159,8 @@ def _written(whole: Expression) -> ClosedForm:
     if isinstance(whole, Absolute):
         found = Absolute(_written(whole.inside).expression)
         return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
-    found = min((_reduced(held) for held in (shortest_form(whole, MAX_LATEX_LENGTH), whole)), key=latex_length)
+    forms = dict.fromkeys((shortest_form(whole, MAX_LATEX_LENGTH), whole))  # often one
+    found = min(map(_reduced, forms), key=latex_length)
     return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
 
 
