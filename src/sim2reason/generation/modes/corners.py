@@ -1,6 +1,7 @@
 """Search for numbers at which a formula ceases to be valid, or has no value."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from itertools import chain, islice
 from math import inf
 
@@ -16,6 +17,9 @@ from sim2reason.solutions.algebra.functions import array_values
 
 Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
+Factors = tuple[float, ...]
+Distant = tuple[Variation | None, float]
+"""A scene with its distance from violating a condition; infinite if that is unknown, or it violates another one."""
 
 GUESSES, CORNER_SEED = 4000, 0  # combinations of range ends for which margins are estimated
 KNOWN_STARTS = 2  # known scenes from which the search starts, beside the best guess
@@ -49,9 +53,9 @@ def find_corner(
     starts = _least(conditions, known, own)
     if fitting.size:
         starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
-    best: tuple[Variation | None, float] = None, inf
+    best, at = (None, inf), _distances(variations, conditions, told)
     for times in starts:
-        best = min(best, _descended(variations, conditions, factors, times, told), key=lambda value: value[1])
+        best = min(best, _descended(variations, at, factors, tuple(times)), key=lambda value: value[1])
         if best[1] <= 0.0 or CLOSE_MARGIN < best[1] < inf:
             break
     return best[0]
@@ -61,7 +65,7 @@ def _kept(regime: Regime) -> Margin:
     """Return a function of a scene: its distance from violating an assumption, negative if it violates it."""
 
     def margin(other: Variation) -> float:
-        distance = regime.margin(other.study, other.until) if regime.holds(other.study, other.until) else -1.0
+        distance = regime.margin(other.study, other.until) if other.satisfies(regime) else -1.0
         return 1.0 if distance is None else distance
 
     return margin
@@ -101,16 +105,13 @@ def _moved(other: Variation, own: Variation) -> list[str]:
     return [symbol for symbol, value in other.values.items() if value != own.values[symbol]]
 
 
-def _descended(
-    variations: Variations, conditions: Sequence[Margin], factors: Array, times: list[float], told: Sequence[Regime]
-) -> tuple[Variation | None, float]:
-    """Return the scene after a change of one number at a time towards violation, and its distance from it.
+def _distances(
+    variations: Variations, conditions: Sequence[Margin], told: Sequence[Regime]
+) -> Callable[[Factors], Distant]:
+    """Return a cached function of factors on all numbers: the scene, and its distance from violating a condition."""
 
-    One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
-    occur at both ends.
-    """
-
-    def at(times: Sequence[float]) -> tuple[Variation | None, float]:
+    @cache
+    def at(times: Factors) -> Distant:
         values = [symbol.value * by for symbol, by in zip(variations.symbols, times, strict=True)]
         outcome = variations.having(values, [], told)
         if outcome is None or any((each(outcome) or 0.0) < 0.0 for each in conditions[1:]):
@@ -118,12 +119,21 @@ def _descended(
         margin = conditions[0](outcome)
         return outcome, inf if margin is None else margin
 
+    return at
+
+
+def _descended(variations: Variations, at: Callable[[Factors], Distant], factors: Array, times: Factors) -> Distant:
+    """Return the scene after a change of one number at a time towards violation, and its distance from it.
+
+    One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
+    occur at both ends.
+    """
     outcome = at(times)
     for n, symbol in enumerate(variations.symbols):
         for factor in _steps(factors[n], fine=not symbol.path):
             if outcome[1] <= 0.0:
                 return outcome
-            other = [*times[:n], factor, *times[n + 1 :]]
+            other = (*times[:n], factor, *times[n + 1 :])
             if other != times and (better := at(other))[1] < outcome[1]:
                 times, outcome = other, better
     return outcome

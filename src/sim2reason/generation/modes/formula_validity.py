@@ -169,11 +169,11 @@ class FormulaValidity:
     @staticmethod
     def _violated_regimes(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
         """Return the assumptions that a scene does not satisfy."""
-        return {regime for regime in kept if not regime.holds(other.study, other.until)}
+        return {regime for regime in kept if not other.satisfies(regime)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
         """Return whether a formula fails in a scene although the scene satisfies all stated assumptions."""
-        return all(regime.holds(other.study, other.until) for regime in told) and not self._agrees(formula, other)
+        return all(other.satisfies(regime) for regime in told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
         """Return a scene that violates one assumption, or nearly does, but satisfies the stated ones.
@@ -184,7 +184,7 @@ class FormulaValidity:
             return None
         self._left.add((held, tuple(told)))
         among = [other for other in self._wide if not self._violated_regimes(other, told)]
-        if not all(held.holds(other.study, other.until) for other in among):
+        if not all(other.satisfies(held) for other in among):
             return None
         corner = find_corner(self._variations, _margin(held), told, self._wide)
         self._wide += [corner] if corner is not None else []
@@ -221,7 +221,7 @@ class FormulaValidity:
         own_regimes = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
             own_regimes = [regime for regime in own_regimes if regime.regardless_of(own.study, own.query.hides)]
-        return [regime for regime in own_regimes if all(regime.holds(other.study, other.until) for other in others)]
+        return [regime for regime in own_regimes if all(other.satisfies(regime) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
         """Yield a set of assumptions for each scene without an answer: those whose violation may be the reason."""

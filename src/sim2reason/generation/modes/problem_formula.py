@@ -7,8 +7,10 @@ from math import copysign, isfinite
 
 import numpy as np
 
+from sim2reason.base.records import cached_property
 from sim2reason.errors import SimulationError
 from sim2reason.questions import KINDS, Query, SimulatedScene, Words
+from sim2reason.questions.regimes import Regime
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
@@ -51,10 +53,14 @@ class Variation:
     query: Query
     answer: float
 
-    @property
+    @cached_property
     def until(self) -> float:
         """Return the latest time on which the answer depends, s."""
         return KINDS[self.query.kind].time(self.query, self.study) or 0.0
+
+    def satisfies(self, regime: Regime) -> bool:
+        """Return whether an assumption holds up to the latest time on which the answer depends, cached."""
+        return self.study.memoize((regime, self.until), lambda: regime.holds(self.study, self.until))
 
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:

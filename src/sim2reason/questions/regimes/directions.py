@@ -131,10 +131,9 @@ class MovesOneWay(Regime):
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
     def never_holds(self, study: SimulatedScene) -> bool:
-        """Return whether the body is released from rest and clearly accelerated against the assumed direction."""
-        if not starts_evenly(study, CLEAR_SHARE * study.trace.stable_until):
-            return False
-        if Velocity.evaluate(study.trace.at(0.0), self.name).any():
+        """Return whether the body is clearly accelerated from rest against the assumed direction."""
+        moves = any(coordinate.speed for coordinate in study.mechanism.coordinates)
+        if moves or not starts_evenly(study, CLEAR_SHARE * study.trace.stable_until):
             return False
         margin = self.margin(study, 0.0)
         return margin is not None and margin < -CLEAR_SHARE
