@@ -94,6 +94,10 @@ class Memo:
         self._known[name] = value
         return value
 
+    def forget(self) -> None:
+        """Discard all cached results."""
+        self._known.clear()
+
     def is_cached(self, name: Hashable) -> bool:
         """Return whether a result is cached under a name."""
         return name in self._known

@@ -148,8 +148,15 @@ class ItemSearch:
         self._refused: Counter[str] = Counter()  # questions that are refused, by kind
         self._unsuited: Counter[str] = Counter()  # scenes about which all its draws need other means, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
+        self._searches: list[QuestionSearch] = []
         self._first = ""  # the first kind of its order that a scene offers
         self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
+
+    def release(self) -> None:
+        """Discard what is cached about all scenes, when nothing more is asked about the question that was found."""
+        for search in self._searches:
+            search.release()
+        self._searches.clear()
 
     @property
     def first_kind(self) -> str:
@@ -225,6 +232,7 @@ class ItemSearch:
                 self.rejected[search.fault] += 1
             else:
                 search.on_refusal = self.on_refusal
+                self._searches.append(search)
                 yield search, rng
 
     def _first_kind(

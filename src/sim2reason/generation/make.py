@@ -135,6 +135,7 @@ def make(request: Request) -> Made:
     search = ItemSearch(request)
     certified = search.find()
     item = build_item(request, certified) if certified is not None else None
+    search.release()
     return Made(item, dict(search.rejected), search.first_kind)
 
 

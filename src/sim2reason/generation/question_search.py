@@ -105,6 +105,12 @@ class QuestionSearch:
         self._refused = False  # for what it needs, what was drawn last
         self.on_refusal: Callable[[RefusedQuestion], None] | None = None  # called with each question that is refused
 
+    def release(self) -> None:
+        """Discard what is cached about the motion, when no more questions are asked about it."""
+        self.study.release()
+        if self._certified_motion is not None:
+            self._certified_motion[0].release()
+
     @cached_property
     def description(self) -> Description:
         """Return the text of the scene, in a wording with short sentences about strings if one of a few has them."""

@@ -59,9 +59,7 @@ class Target:
         found = QUANTITIES[self.quantity].evaluate(state, self.subject)
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
-        return (
-            row_lengths(found) if self.sense is None else found @ np.array(self.direction(state.mechanism))
-        )
+        return row_lengths(found) if self.sense is None else found @ np.array(self.direction(state.mechanism))
 
     def direction(self, mechanism: Mechanism) -> Vector:
         """Return the direction of the component in this mechanism, whose slopes may differ from the original one."""

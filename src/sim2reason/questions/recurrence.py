@@ -1,6 +1,5 @@
 """Periodicity of a motion, permanent rest, and reasons why an event never occurs."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice
 from math import pi

@@ -68,6 +68,20 @@ class SimulatedScene(Memo):
             found = self._times[moment] = moment.time(self.trace)
             return found
 
+    def release(self) -> None:
+        """Discard all cached results, of variants too, which refer back to the scene and so keep it in memory.
+
+        Otherwise the garbage collector must find them, which takes 4 % of the time of an item.
+        """
+        variants = [variant for variant, _ in self._variants.values()]
+        self._variants.clear()
+        variants += self._shorter.values()
+        self._shorter.clear()
+        self.forget()
+        for variant in variants:
+            if variant is not None:
+                variant.release()
+
     def variant(
         self, scene: Scene, until: float | None = None, error: float = COARSE_STEP_ERROR
     ) -> "SimulatedScene | None":

@@ -129,8 +129,8 @@ def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trac
         return State(
             trace.mechanism,
             times,
-            lambda: (state.q, rates(state)[0]),
-            lambda _, __: Dynamics(rates(state)[1], {}, {}, {}),
+            lambda _: (state.q, rates(state)[0]),
+            lambda *_: Dynamics(rates(state)[1], {}, {}, {}),
         )
 
     return replace(_read(trace, sample), knots=trace.knots)

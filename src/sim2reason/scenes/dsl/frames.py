@@ -296,11 +296,17 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
     return (rows[0], rows[1], rows[2])
 
 
+RECENT_MECHANISMS = 16  # number of mechanisms with cached initial frames
+_recent: tuple[tuple[Mechanism, Frames], ...] = ()  # not in the mechanisms: cycles would burden the garbage collector
+
+
 def initial_frames(mechanism: Mechanism) -> Frames:
-    """Return the initial frames, with all velocities zero, computed once for each mechanism."""
-    return mechanism.memoize("initial frames", lambda: _at_start(mechanism))
-
-
-def _at_start(mechanism: Mechanism) -> Frames:
+    """Return the initial frames, with all velocities zero, cached for recent mechanisms."""
+    global _recent  # noqa: PLW0603 - replaced as a whole, so that threads need no lock
+    for known, frames in _recent:
+        if known is mechanism:
+            return frames
     rest = [0.0] * len(mechanism.coordinates)
-    return Frames(mechanism, rest, rest, math, still=True)
+    frames = Frames(mechanism, rest, rest, math, still=True)
+    _recent = ((mechanism, frames), *_recent[: RECENT_MECHANISMS - 1])
+    return frames

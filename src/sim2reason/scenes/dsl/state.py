@@ -56,8 +56,8 @@ class State:
     Attributes:
         mechanism: The mechanism.
         times: The instants (n,), s.
-        kinematics: Function that returns q and v.
-        dynamics: Function of q and v that returns accelerations and forces.
+        kinematics: Function of the instants that returns q and v.
+        dynamics: Function of the instants, q and v that returns accelerations and forces.
         q: Coordinates (n, number of coordinates), m or rad, in the order of `mechanism.coordinates`.
         v: Rates of the coordinates, m/s or rad/s.
         a: Accelerations, m/s² or rad/s².
@@ -72,8 +72,8 @@ class State:
 
     mechanism: Mechanism
     times: Array  # s, (n,)
-    kinematics: Callable[[], tuple[Array, Array]] = field(repr=False)  # gives q and v
-    dynamics: Callable[[Array, Array], Dynamics] = field(repr=False)  # of q and v
+    kinematics: Callable[[Array], tuple[Array, Array]] = field(repr=False)  # of the instants: q and v
+    dynamics: Callable[[Array, Array, Array], Dynamics] = field(repr=False)  # of the instants, q and v
 
     def __repr__(self) -> str:
         """Return the number of coordinates and of instants, and the first and the last instant."""
@@ -84,15 +84,15 @@ class State:
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
         """Return a state whose coordinates, accelerations and forces are known already."""
-        return cls(mechanism, times, lambda: kinematics, lambda _, __: dynamics)
+        return cls(mechanism, times, lambda _: kinematics, lambda *_: dynamics)
 
     @cached_property
     def _kinematics(self) -> tuple[Array, Array]:
-        return self.kinematics()
+        return self.kinematics(self.times)
 
     @cached_property
     def _dynamics(self) -> Dynamics:
-        return self.dynamics(*self._kinematics)
+        return self.dynamics(self.times, *self._kinematics)
 
     @property
     def q(self) -> Array:

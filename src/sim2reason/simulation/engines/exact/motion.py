@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import partial
 from math import nan
 from typing import TYPE_CHECKING
 
@@ -207,7 +206,7 @@ class Motion:
 
     def state(self, times: Array) -> State:
         """Return the motion at times ≥ 0, s, shape (m,); the last segment is extrapolated beyond the end."""
-        return State(self.mechanism, times, partial(self._kinematics, times), partial(self._dynamics, times))
+        return State(self.mechanism, times, self._kinematics, self._dynamics)
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
         """Return the index of the segment that contains each instant."""
