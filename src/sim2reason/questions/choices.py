@@ -1,10 +1,12 @@
 """Selection of questions worth asking: quantities that vary with time, constant quantities, and moments."""
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from math import hypot, inf
 
 import numpy as np
 
+from sim2reason.base.draws import draw_index
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Target
 from sim2reason.questions.study import SimulatedScene
@@ -87,10 +89,13 @@ def draw_target(
 ) -> Target | None:
     """Return a random target worth asking for, weighted by the weights of quantities; None if there is none."""
     left = [target for target in targets if QUANTITIES[target.quantity].drawn_by_recipes]
+    sizes = [target.share * QUANTITIES[target.quantity].weight for target in left]
+    counts = Counter(target.quantity for target in left)
     while left:
-        names = [target.quantity for target in left]
-        weights = np.array([t.share * QUANTITIES[t.quantity].weight / names.count(t.quantity) for t in left])
-        chosen = left.pop(int(rng.choice(len(left), p=weights / weights.sum())))
+        number = draw_index(rng, [size / counts[t.quantity] for size, t in zip(sizes, left, strict=True)])
+        chosen = left.pop(number)
+        del sizes[number]
+        counts[chosen.quantity] -= 1
         if worth(chosen):
             return chosen
     return None

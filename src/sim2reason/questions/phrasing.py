@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sim2reason.base.draws import draw_index
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import GROUND
 from sim2reason.questions.query import Noun, Query, Target
@@ -24,8 +25,7 @@ _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subj
 def draw_sentence(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
     """Return a random one of equivalent sentences: first a verb, by fixed weights, then any sentence with that verb."""
     verbs = [match.group() if (match := _VERB.search(shape.lower())) else "what" for shape in shapes]
-    weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
-    return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
+    return shapes[draw_index(rng, [QUOTA[verb] / verbs.count(verb) for verb in verbs])]
 
 
 def sentence(shape: str) -> str:

@@ -7,6 +7,7 @@ from math import exp, log
 
 import numpy as np
 
+from sim2reason.base.draws import draw_index
 from sim2reason.errors import SceneError
 from sim2reason.generation.recipes.ports import (
     OpenPort,
@@ -180,8 +181,7 @@ class Grower:
         return bool(self.rng.random() < chance)
 
     def _draw_one(self, weights: Mapping[str, float]) -> str:
-        names, shares = list(weights), np.array(list(weights.values()))
-        return names[int(self.rng.choice(len(names), p=shares / shares.sum()))]
+        return list(weights)[draw_index(self.rng, list(weights.values()))]
 
     def _pick(self) -> str:
         """Return a random entity type; one of a missing group when there is room for no other."""

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 from pydantic import ValidationError
 
+from sim2reason.base.draws import draw_index
 from sim2reason.errors import SceneError
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.addresses import with_values, without_idle_fields
@@ -70,8 +71,7 @@ def draw_idea(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Sce
     Raises:
         SceneError: the draw does not hold together, or nothing that was drawn suits the idea.
     """
-    weights = np.array([idea.weight for idea in ideas])
-    idea = ideas[int(rng.choice(len(ideas), p=weights / weights.sum()))]
+    idea = ideas[draw_index(rng, [idea.weight for idea in ideas])]
     for _ in range(MAX_REDRAWS):
         entity = draw(ENTITIES[idea.entity], rng, idea.choices)
         if idea.suits(entity):

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from sim2reason.base.draws import draw_index
 from sim2reason.questions.accuracy import certification_gap
 from sim2reason.questions.choices import depends_on_moment, has_formula_of_time
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
@@ -57,7 +58,7 @@ class StretchKind(Kind):
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a random functional of the motion that is worth asking; None if there is none."""
         del targets
-        offers = any(True for _ in self._functional_subjects(words))
+        offers = _functional_subjects(self.name, words)
         return self._compose_query(_ends(study, words, rng), study, words, rng) if offers else None
 
     def at(
@@ -71,15 +72,15 @@ class StretchKind(Kind):
         self, ends: Iterable[Moment], study: SimulatedScene, words: Words, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a functional over an interval with one of the given ends; None without one."""
-        offered = [pair for pair in self._functional_subjects(words) if pair[0].drawn_by_recipes]
+        offered = [pair for pair in _functional_subjects(self.name, words) if pair[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
         for _ in range(MAX_FUNCTIONALS):
             if not offered:
                 break
             names = [functional.name for functional, _ in offered]
-            weights = np.array([f.weight / names.count(f.name) for f, _ in offered])
-            functional, name = offered.pop(int(rng.choice(len(offered), p=weights / weights.sum())))
+            weights = [f.weight / names.count(f.name) for f, _ in offered]
+            functional, name = offered.pop(draw_index(rng, weights))
             if rng.random() > functional.weight:  # what is seldom asked is so where little else is offered, too
                 continue
             ends, these = tee(ends)  # no end is looked for before it is needed
@@ -88,10 +89,6 @@ class StretchKind(Kind):
                 if self._is_worth_asking(query, study):
                     return query
         return None
-
-    def _functional_subjects(self, words: Words) -> Iterator[tuple[Functional, str]]:
-        for functional in functionals(self.name):
-            yield from ((functional, name) for name in nouns(functional, words))
 
     def _is_worth_asking(self, query: StretchQuery, study: SimulatedScene) -> bool:
         functional, end, answer = FUNCTIONALS[query.functional], _end_time(query, study), _value(query, study)
@@ -176,7 +173,7 @@ class StretchKind(Kind):
         del targets
         mentioned = [
             (functional, name)
-            for functional, name in self._functional_subjects(words)
+            for functional, name in _functional_subjects(self.name, words)
             if nouns(functional, words)[name].occurs_in(text)
         ]
         if not mentioned:
@@ -203,6 +200,12 @@ class StretchKind(Kind):
 def functionals(kind: str) -> tuple[Functional, ...]:
     """Return all functionals of a kind."""
     return tuple(functional for functional in FUNCTIONALS.values() if functional.kind == kind)
+
+
+@lru_cache(maxsize=32)
+def _functional_subjects(kind: str, words: Words) -> tuple[tuple[Functional, str], ...]:
+    """Return all functionals of a kind, with each subject that has it in the text."""
+    return tuple((functional, name) for functional in functionals(kind) for name in nouns(functional, words))
 
 
 @lru_cache(maxsize=128)

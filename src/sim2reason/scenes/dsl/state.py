@@ -84,7 +84,7 @@ class State:
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
         """Return a state whose coordinates, accelerations and forces are known already."""
-        return cls(mechanism, times, lambda _: kinematics, lambda *_: dynamics)
+        return cls(mechanism, times, lambda _: kinematics, lambda _, __, ___: dynamics)
 
     @cached_property
     def _kinematics(self) -> tuple[Array, Array]:
