@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -56,7 +57,9 @@ IMPACTS = frozenset({"collision", "taut", "land"})
 def sorted_unique(times: Array) -> Array:
     """Return instants (n,) in ascending order without repeats, faster than `np.unique` for small arrays."""
     sorted_times: Array = np.sort(times)
-    return sorted_times[np.append(sorted_times[1:] != sorted_times[:-1], True)] if len(sorted_times) else sorted_times
+    distinct = np.ones(len(sorted_times), np.bool_)
+    np.not_equal(sorted_times[1:], sorted_times[:-1], out=distinct[:-1])
+    return sorted_times[distinct]
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,17 +216,26 @@ class Trace(Memo):
         No quantity turns more than once between two neighbours, so that searches need no finer steps.
         """
         end = min(self.stable_until, float(self.state.times[-1]))
-        events = np.array([event.time for event in self.events])
-        borders = np.concatenate([[0.0, end], self.knots(), events, np.nextafter(events, 0.0)])
+        borders = np.append(self.knots(), (0.0, end))
+        if self.events:
+            events = np.array([event.time for event in self.events])
+            borders = np.concatenate([borders, events, np.nextafter(events, 0.0)])
         borders = sorted_unique(borders[(borders >= 0.0) & (borders <= end)])
         if len(borders) < 2:
             return self.sample(borders)
         pieces = min(
             max(PER_STEP, -(-MIN_SCAN_SAMPLES // (len(borders) - 1))), max(1, MAX_SCAN_SAMPLES // len(borders))
         )
-        shares = np.arange(pieces) / pieces
-        inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
-        return self.sample(sorted_unique(np.append(inner.ravel(), end)))
+        times = np.empty((len(borders) - 1) * pieces + 1)
+        times[:-1] = (borders[:-1, None] + (borders[1:] - borders[:-1])[:, None] * _shares(pieces)).ravel()
+        times[-1] = end
+        return self.sample(sorted_unique(times))
+
+
+@lru_cache(maxsize=128)
+def _shares(pieces: int) -> Array:
+    """Return the starts of equal parts of an interval of length 1."""
+    return np.arange(pieces) / pieces
 
 
 def ending(trace: Trace) -> str:

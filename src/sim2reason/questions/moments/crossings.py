@@ -102,8 +102,8 @@ def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
     sizes = np.abs(values)
     nearest = ((sizes[1:-1] <= sizes[:-2]) & (sizes[1:-1] <= sizes[2:])).nonzero()[0]
     before, here, after = values[nearest], values[nearest + 1], values[nearest + 2]
-    apart = (before * here > 0.0) & (after * here > 0.0)
-    if not apart.any():
+    apart = ((before * here > 0.0) & (after * here > 0.0)).nonzero()[0]
+    if not len(apart):
         return times, values
     before, here, after = before[apart], here[apart], after[apart]
     bend = before - 2.0 * here + after

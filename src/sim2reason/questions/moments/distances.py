@@ -243,8 +243,10 @@ def _turns_back(trace: Trace, name: str, until: float) -> bool:
     """Return whether a body on a line reverses before a time, s."""
     direction = np.array(center_path(trace.mechanism, name).ways[0])
     before = (Velocity.evaluate(trace.scan, name) @ direction)[trace.scan.times <= until]
-    speeds = np.append(before, Velocity.evaluate(trace.at(until), name) @ direction)  # long motions have few samples
-    return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
+    last = float((Velocity.evaluate(trace.at(until), name) @ direction)[0])  # long motions have few samples
+    least = min(last, float(np.minimum.reduce(before, initial=0.0)))
+    greatest = max(last, float(np.maximum.reduce(before, initial=0.0)))
+    return least * greatest < -1e-9 * max(-least, greatest) ** 2
 
 
 RETURN_DISTANCE_RTOL = 1e-5  # of the greatest distance: largest distance from the starting point at a return
