@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import inf, isfinite
 from typing import ClassVar, Self
 
@@ -229,13 +230,18 @@ def filter_scene(study: SimulatedScene) -> Verdict:
 
 def apply_filters(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """Return the verdict of all filters that need both engines (`witnessed`), or of all others: the first rejection."""
-    filters = [(name, filter_) for name, filter_ in ordered_filters() if filter_.needs_witness == witnessed]
+    filters = [each for each in ordered_filters() if each[1].needs_witness == witnessed]
     for name, filter_ in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := filter_.reason(candidate):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
 
 
-def ordered_filters() -> list[tuple[str, Filter]]:
+def ordered_filters() -> tuple[tuple[str, Filter], ...]:
     """Return all filters with their names, in the order in which they run."""
-    return sorted(FILTERS.items(), key=lambda item: (item[1].needs_witness, item[1].order, item[0]))
+    return _ordered(tuple(FILTERS.items()))
+
+
+@lru_cache(maxsize=4)  # the registry may grow
+def _ordered(filters: tuple[tuple[str, Filter], ...]) -> tuple[tuple[str, Filter], ...]:
+    return tuple(sorted(filters, key=lambda item: (item[1].needs_witness, item[1].order, item[0])))

@@ -105,11 +105,9 @@ class Reverse(QuestionMode):
     ) -> Question | None:
         """Return the question for an unknown number that the given result determines; None if it does not."""
         kind = KINDS[query.kind]
-        likely = likely_answers(query, study, words, unknown.path)
-        dependence = AnswerFunction(query, study, unknown.path, likely=likely)
-        drawn = float(study.scene.value(unknown.path))
-        dependence.record_answer(drawn, result)
-        fixed = _fixed(dependence, drawn, result, words.units.spell(kind.measured(query).unit))
+        fixed = study.memoize(  # queries are drawn repeatedly
+            ("fixed", query, unknown.path), lambda: _fixed_result(query, unknown, result, study, words)
+        )
         values = range_of(study.scene, unknown.path)
         if fixed is None or not values[0] <= fixed[1] <= values[-1]:
             return None
@@ -217,6 +215,17 @@ def _possible_unknowns(query: Query, words: Words) -> list[Unknown]:
 
 def _noun(query: Query, words: Words) -> Noun | None:
     return targets(words)[query.target] if query.target is not None else None
+
+
+def _fixed_result(
+    query: Query, unknown: Unknown, result: float, study: SimulatedScene, words: Words
+) -> tuple[StatedResult, float, float] | None:
+    """Return the rounded result of a query, the unknown number that gives exactly it, and the elasticity, if any."""
+    likely = likely_answers(query, study, words, unknown.path)
+    dependence = AnswerFunction(query, study, unknown.path, likely=likely)
+    drawn = float(study.scene.value(unknown.path))
+    dependence.record_answer(drawn, result)
+    return _fixed(dependence, drawn, result, words.units.spell(KINDS[query.kind].measured(query).unit))
 
 
 def _fixed(

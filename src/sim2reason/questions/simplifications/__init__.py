@@ -6,6 +6,7 @@ with its reason.
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import ClassVar, TypeVar
 
 from sim2reason.base.registry import Registry
@@ -56,13 +57,23 @@ class ChangedMechanism(Misconception):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism under the misconception."""
 
+    @property
+    def change(self) -> str:
+        """Return the name of the change; misconceptions with the same change of a subject share its motions."""
+        return self.name
+
     def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the motion of the changed mechanism until a time, s; None if there is none."""
-        return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
+        return study.changed((self.change, subject), lambda mechanism: self.changed(mechanism, subject), until)
 
 
 class FixedBody(ChangedMechanism):
     """The base class of misconceptions in which a moving body is taken to be fixed to what carries it."""
+
+    @property
+    def change(self) -> str:
+        """Return the name of the change, common to all of them."""
+        return "fixed body"
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the body fixed to its carrier."""
@@ -86,9 +97,14 @@ S = TypeVar("S", bound=Misconception)
 MISCONCEPTIONS: Registry[Misconception] = Registry("questions.simplifications")
 
 
-def ordered_misconceptions() -> list[Misconception]:
+def ordered_misconceptions() -> tuple[Misconception, ...]:
     """Return all misconceptions, the common ones first."""
-    return sorted(MISCONCEPTIONS.values(), key=lambda each: not each.common)
+    return _ordered(tuple(MISCONCEPTIONS.values()))
+
+
+@lru_cache(maxsize=4)  # the registry may grow
+def _ordered(misconceptions: tuple[Misconception, ...]) -> tuple[Misconception, ...]:
+    return tuple(sorted(misconceptions, key=lambda each: not each.common))
 
 
 def misconception(cls: type[S]) -> type[S]:
