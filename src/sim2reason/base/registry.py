@@ -1,5 +1,6 @@
 """Registries of the members of one kind, such as entities or filters, and the list of all registries."""
 
+import gc
 import inspect
 from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, ValuesView
 from dataclasses import fields, is_dataclass
@@ -69,11 +70,16 @@ class Registry(Mapping[str, T], Generic[T]):
         if self._filled:
             return
         self._filled = True  # before the imports: they may look a sibling up
+        collects = gc.isenabled()
+        gc.disable()  # imports make many objects and no garbage
         try:
             self._import_members()
         except BaseException:
             self._filled = False  # the next use reports the failure again, instead of working without some members
             raise
+        finally:
+            if collects:
+                gc.enable()
 
     def _import_members(self) -> None:
         """Import the modules of the package and those of the entry points."""
