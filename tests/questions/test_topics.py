@@ -19,7 +19,7 @@ from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.prompt import parse_prompt, words_of
-from sim2reason.questions.regimes.directions import StaysTaut
+from sim2reason.questions.regimes.strings import StaysTaut
 from sim2reason.questions.sentences import irrelevant
 from sim2reason.scenes.bodies.blocks import Block, Cart
 from sim2reason.scenes.bodies.oscillators import Ball, Coil, Cord, FixedBall, NailedSpring

@@ -11,7 +11,7 @@ from sim2reason.questions import KINDS, Question, SimulatedScene, Words
 from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query, targets
-from sim2reason.questions.regimes.directions import AllStayTaut, StaysTaut
+from sim2reason.questions.regimes.strings import AllStayTaut, StaysTaut
 from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.words import DIGITS_PATTERN, format_number

@@ -1,8 +1,8 @@
-"""Assumptions about directions of motion, sides and angles, and about taut strings."""
+"""Assumptions about directions of motion, sides and angles."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, isclose
+from math import isclose
 from typing import Self
 
 import numpy as np
@@ -11,7 +11,7 @@ from sim2reason.errors import SceneError
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import Vector, inner
@@ -19,7 +19,6 @@ from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies, center_path
-from sim2reason.simulation.quantities.subjects.interactions import Strings
 from sim2reason.simulation.quantities.subjects.rotating_parts import (
     SwingingLines,
     has_bodies_on_both_sides,
@@ -286,99 +285,3 @@ class SideOfCenterOfMass(Regime):
         """Return a clause such as *the centre of mass of the bodies on the arm is on the same side as disc A*."""
         where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
         return f"the centre of mass of the bodies on the arm is {where} {words.subject_phrases(self.of)[self.name]}"
-
-
-ZERO_TENSION = 1e-9  # N
-
-
-def is_driven(mechanism: Mechanism) -> bool:
-    """Return whether a spring or a hand drives the mechanism."""
-    return any(isinstance(line.law, Elastic | ConstantTension) for line in mechanism.lines)
-
-
-@REGIMES.register("taut")
-@dataclass(frozen=True, slots=True)
-class StaysTaut(Regime):
-    """The assumption that a string stays taut."""
-
-    of = Strings()
-    unseen = True
-
-    @classmethod
-    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return one regime for each string that the text can name."""
-        del study
-        return [cls(name) for name in words.subject_phrases(cls.of)]
-
-    def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the string pulls throughout; True if its tension is undetermined."""
-        scan = study.trace.scan
-        return not bool((scan.tension[self.name][scan.times <= until] <= ZERO_TENSION).any())
-
-    def never_holds(self, study: SimulatedScene) -> bool:
-        """Return whether the string does not pull at the start."""
-        return bool(study.trace.at(0.0).tension[self.name][0] <= ZERO_TENSION)
-
-    def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the least tension as a relative acceleration of the string's ends, in units of g; None if unknown."""
-        scan, mechanism = study.trace.scan, study.mechanism
-        through = mechanism.line[self.name].through
-        bodies = (mechanism.site[site].body for site in (through[0], through[-1]))
-        masses = [mechanism.body[name].mass for name in bodies if name is not None]
-        ease = sum(1.0 / mass for mass in masses if mass) or 1.0
-        tensions = scan.tension[self.name][scan.times <= until]
-        if np.isnan(tensions).any():
-            return None
-        return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
-
-    def must_be_stated(self, study: SimulatedScene) -> bool:
-        """Return True if the text mentions slackness, or the string is alone beside a spring or a hand.
-
-        Springs and hands may drive one end faster than the load at the other can follow.
-        """
-        owner = self.name.partition(".")[0]
-        slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)
-        return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
-
-    def may_remove_answer(self, study: SimulatedScene) -> bool:
-        """Return whether the string goes slack."""
-        return not self.holds(study, inf)
-
-    def clause(self, words: Words) -> str:
-        """Return the clause, such as *the string stays taut*."""
-        return f"{words.subject_phrases(self.of)[self.name]} stays taut"
-
-
-@REGIMES.register("all_taut")
-@dataclass(frozen=True, slots=True)
-class AllStayTaut(Regime):
-    """The assumption that all of several strings stay taut."""
-
-    of = Strings()
-
-    @classmethod
-    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the only regime of this class if there are several strings, not merely the parts of a single one."""
-        del words
-        return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
-
-    def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether every string has tension throughout."""
-        return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
-
-    def never_holds(self, study: SimulatedScene) -> bool:
-        """Return whether some string does not pull at the start."""
-        return any(StaysTaut(line.name).never_holds(study) for line in study.mechanism.strings)
-
-    def must_be_stated(self, study: SimulatedScene) -> bool:
-        """Return True if a spring or a hand may pull one end faster than loads can follow."""
-        return is_driven(study.mechanism)
-
-    def may_remove_answer(self, study: SimulatedScene) -> bool:
-        """Return whether any string goes slack."""
-        return not self.holds(study, inf)
-
-    def clause(self, words: Words) -> str:
-        """Return the clause, such as *all strings stay taut*."""
-        del words
-        return "all strings stay taut"
