@@ -5,7 +5,7 @@ import pytest
 
 from plain_scenes import atwood
 from sim2reason.questions import SimulatedScene
-from sim2reason.questions.regimes.directions import StaysTaut
+from sim2reason.questions.regimes.strings import StaysTaut
 from sim2reason.scenes.dsl.scene import Scene
 
 

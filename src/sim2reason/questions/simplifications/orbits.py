@@ -130,7 +130,7 @@ def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trac
             trace.mechanism,
             times,
             lambda _: (state.q, rates(state)[0]),
-            lambda *_: Dynamics(rates(state)[1], {}, {}, {}),
+            lambda _, __, ___: Dynamics(rates(state)[1], {}, {}, {}),
         )
 
     return replace(_read(trace, sample), knots=trace.knots)

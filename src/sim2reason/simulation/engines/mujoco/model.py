@@ -6,12 +6,11 @@ soft constraints are not used.
 
 from itertools import pairwise
 from math import isfinite, nan
-from typing import Any
 
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Line, Mechanism, Prop, Rigid
+from sim2reason.scenes.dsl.mechanism import Inextensible, Line, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
@@ -19,10 +18,7 @@ from sim2reason.simulation.engines.mujoco.distances import (
     Attractions,
     Lengths,
     Lines,
-    PointMotion,
     Pulls,
-    distance,
-    separated,
 )
 from sim2reason.simulation.engines.mujoco.forces import (
     UNLIMITED_FRICTION,
@@ -32,6 +28,7 @@ from sim2reason.simulation.engines.mujoco.forces import (
     is_moderate,
     solve_regular,
 )
+from sim2reason.simulation.engines.mujoco.points import ModelPoints
 from sim2reason.simulation.engines.mujoco.specification import SUBSTITUTE_MASS, Specification, mujoco
 from sim2reason.simulation.trace import OPERATIONS, Budget
 
@@ -41,28 +38,20 @@ ZERO_DERIVATIVE_TOL = 1e-9  # largest derivative of the separation of two points
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
-class CompiledModel:
+class CompiledModel(ModelPoints):
     """The compiled mechanism, set to one state at a time."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
-        self.mechanism = mechanism
+        spec = Specification(mechanism)
+        super().__init__(mechanism, spec)
         self.budget = Budget(2 * OPERATIONS)
         self.constant = not changing(mechanism)
-        spec = Specification(mechanism)
-        compiled: tuple[Any, Any] = spec.compile()
-        self._model, self._data = compiled
-        self.size = int(self._model.nv)
-        self.index = {c.name: int(spec.joints[c.name].id) for c in mechanism.coordinates}
         self.coordinates = np.array([self.index[c.name] for c in mechanism.coordinates], dtype=np.intp)
-        self._site_id = {name: int(site.id) for name, site in spec.sites.items()}
-        self._body_id = {name: int(body.id) for name, body in spec.bodies.items()}
-        self._carriers = [int(body) for body in self._model.site_bodyid]
-        self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
-        self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
-        self._view()
+        self._mass = np.zeros((self.size, self.size))
+        self._qpos, self._qvel, self._bias = self._data.qpos, self._data.qvel, self._data.qfrc_bias
+        self._gravcomp = self._data.qfrc_gravcomp if self._model.ngravcomp else None
         self._cost = STAND + JOINT * self.size
-        self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         self._massless = any(body.coordinates and body.mass == 0.0 for body in mechanism.bodies)
         compiled_in = self._site_id, self.index, self._model, self._data
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
@@ -75,16 +64,8 @@ class CompiledModel:
         )
         self._light = [burn.body for burn in mechanism.burns]
         self.faces = self._faces({name: int(joint.id) for name, joint in spec.faces.items()})
-        self.time, self.q, self.v = nan, np.zeros(0), np.zeros(0)
+        self.time, self.q = nan, np.zeros(0)
         self.begin()
-
-    def _view(self) -> None:
-        """Store views of MuJoCo's arrays, whose memory does not move; each look-up of one takes time."""
-        data = self._data
-        self._qpos, self._qvel, self._bias = data.qpos, data.qvel, data.qfrc_bias
-        self._gravcomp = data.qfrc_gravcomp if self._model.ngravcomp else None
-        self._sites = {name: data.site_xpos[number] for name, number in self._site_id.items()}
-        self._centers = {name: data.xipos[number] for name, number in self._body_id.items()}
 
     def _faces(self, rises: dict[str, int]) -> Faces:
         """Return the faces, from the joints by which bodies leave them."""
@@ -140,7 +121,7 @@ class CompiledModel:
         if time == was and not self._light and q.tobytes() == self.q.tobytes() and v.tobytes() == self.v.tobytes():
             return
         self.time, self.q, self.v = time, q, v
-        self._points: dict[tuple[str, str], PointMotion] = {}
+        self._points = {}
         self._measured: tuple[Lengths, list[float]] | None = None
         if self._light:
             self._qpos[:], self._qvel[:] = q, v
@@ -200,46 +181,6 @@ class CompiledModel:
             return None
         x = free - (float(gradient.dot(free)) - targets[0]) / yielding * answer
         return x if is_moderate(x) else None
-
-    def _point_motion(self, kind: str, name: str) -> PointMotion:
-        """Return the position, velocity and Jacobian of a site or a centre of mass."""
-        known = self._points.get((kind, name))
-        if known is not None:
-            return known
-        if kind == "site":
-            place, carrier = self._sites[name], self._carriers[self._site_id[name]]
-        else:
-            place, carrier = self._centers[name], self._body_id[name]
-        jacobian = self._slides.get((kind, name))
-        if jacobian is None:
-            jacobian = np.zeros((3, self.size))
-            if carrier:
-                mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
-            if self._straight or not carrier:  # nothing turns, or the point belongs to the room
-                self._slides[kind, name] = jacobian
-        found = self._points[kind, name] = PointMotion(place, jacobian.dot(self.v), jacobian)
-        return found
-
-    def _bias_of(self, place: Array, carrier: int) -> Array:
-        """Return the acceleration at q̈ = 0 of a point of a body."""
-        if self._straight or not carrier:
-            return self._still
-        dot = np.zeros((3, self.size))
-        mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
-        return np.asarray(dot.dot(self.v), dtype=np.float64)
-
-    def places(self, ends: list[tuple[str, str]]) -> list[tuple[list[float], list[float]]]:
-        """Return the present positions of pairs of sites, m."""
-        places: list[list[float]] = self._data.site_xpos.tolist() if ends else []
-        return [(places[self._site_id[first]], places[self._site_id[last]]) for first, last in ends]
-
-    def site(self, name: str) -> PointMotion:
-        """Return the position, velocity and Jacobian of a site."""
-        return self._point_motion("site", name)
-
-    def center(self, name: str) -> PointMotion:
-        """Return the position, velocity and Jacobian of the centre of mass of a body."""
-        return self._point_motion("body", name)
 
     # ---- loads
 
@@ -338,46 +279,6 @@ class CompiledModel:
         assert isinstance(law, Inextensible)
         spare = law.slack - over - law.reel * self.time
         return Row(law.row, name, gradient, spare, rate + law.reel, target)
-
-    def gap(self, meeting: CollisionPair) -> float:
-        """Return the present gap of a collision pair, m."""
-        apart = self._apart(meeting)
-        if meeting.normal is None:
-            return separated(apart) - meeting.distance
-        return float(np.array(meeting.normal).dot(apart)) - meeting.distance
-
-    def _apart(self, meeting: CollisionPair) -> Array:
-        """Return the vector between the centres of mass of a collision pair; from the origin if one is the room."""
-        other = self._centers[meeting.b]
-        return other if meeting.a is None else np.subtract(other, self._centers[meeting.a])
-
-    def separation(self, meeting: CollisionPair) -> tuple[float, float, Array, float]:
-        """Return the gap of a collision pair, its rate, gradient and second derivative at q̈ = 0."""
-        other, still = self.center(meeting.b), self._still
-        bias = self._bias_of(other.place, self._body_id[meeting.b])
-        if meeting.a is None:
-            one = PointMotion(still, still, np.zeros((3, self.size)))
-        else:
-            one = self.center(meeting.a)
-            bias = bias - self._bias_of(one.place, self._body_id[meeting.a])
-        if meeting.normal is None:
-            length, rate, gradient, bend = distance(one, other, bias)
-            return length - meeting.distance, rate, gradient, bend
-        normal = np.array(meeting.normal)
-        gradient = normal @ (other.jacobian - one.jacobian)
-        gap = float(normal.dot(other.place - one.place)) - meeting.distance
-        return gap, float(gradient @ self.v), gradient, float(normal.dot(bias))
-
-    def square_gap(self, meeting: CollisionPair) -> float:
-        """Return a gap as a polynomial of positions: for centres r apart that meet at a distance d, (r² − d²)/2d.
-
-        It has the zero of r − d and the slope there, and exists where the centres coincide.
-        """
-        if meeting.normal is not None:
-            return self.gap(meeting)
-        apart = self._apart(meeting)
-        square = float(apart.dot(apart))
-        return 0.5 * (square / meeting.distance - meeting.distance) if meeting.distance else square
 
     def borders(self, number: int) -> list[float]:
         """Return the distances, m, to the borders of a force's region, positive inside; none if it acts everywhere."""
