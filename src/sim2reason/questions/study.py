@@ -93,15 +93,19 @@ class SimulatedScene(Memo):
 
     def with_values(self, values: Mapping[str, float], until: float | None = None) -> "SimulatedScene | None":
         """Return the scene with other values at addresses, and its motion until a time, s; None if either fails."""
-        scene = self._having(values)
-        return None if scene is None else self.variant(scene, until)
+        key = tuple(values.items())
+        scene = self._having(key)
+        if scene is None:
+            return None
+        return self._simulate_variant(("values", key), lambda: (scene, scene.mechanism, None), until)
 
     def with_same_change(self, values: Mapping[str, float]) -> "SimulatedScene | None":
         """Return the motion with other values, with the same change of the mechanism, duration and accuracy.
 
         None if there is no such motion.
         """
-        scene = self._having(values)
+        key = tuple(values.items())
+        scene = self._having(key)
         if scene is None:
             return None
         change, error = self.change, self.trace.tolerance or DEFAULT_STEP_RTOL
@@ -109,17 +113,16 @@ class SimulatedScene(Memo):
         def make() -> VariantParts:
             return scene, scene.mechanism if change is None else change(scene.mechanism), change
 
-        return self._simulate_variant(("likewise", tuple(values.items())), make, None, error)
+        return self._simulate_variant(("likewise", key), make, None, error)
 
-    def _having(self, values: Mapping[str, float]) -> Scene | None:
+    def _having(self, values: tuple[tuple[str, float], ...]) -> Scene | None:
         """Return the scene with other values at some addresses, cached; None if the values are invalid."""
-        key = tuple(values.items())
-        if key not in self._scenes:
+        if values not in self._scenes:
             try:
-                self._scenes[key] = self.scene.having_all(values)
+                self._scenes[values] = self.scene.having_all(dict(values))
             except (SceneError, ValueError):
-                self._scenes[key] = None
-        return self._scenes[key]
+                self._scenes[values] = None
+        return self._scenes[values]
 
     def changed(self, name: Hashable, change: Change, until: float | None = None) -> "SimulatedScene | None":
         """Return the motion of the changed mechanism, cached under the change's `name`; None if simulation fails."""

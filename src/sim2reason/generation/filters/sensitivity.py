@@ -39,12 +39,12 @@ class Given:
         """Return the address of the object that the numbers belong to."""
         return self.paths[0].rpartition(".")[0]
 
-    def at(self, scene: Scene, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
+    def scaled(self, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
         """Return the vector's components by address after multiplication by two factors in turn; angles are turned."""
-        values = [float(scene.value(path)) for path in self.paths]
+        values = [(parameter.path, parameter.value or 0.0) for parameter in self.parameters]
         if self.unit == "deg" and turn:
-            return {path: value + turn for path, value in zip(self.paths, values, strict=True)}
-        return {path: factors[n % 2] * value for n, (path, value) in enumerate(zip(self.paths, values, strict=True))}
+            return {path: value + turn for path, value in values}
+        return {path: factors[n % 2] * value for n, (path, value) in enumerate(values)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +114,7 @@ def matters(candidate: Candidate, elasticity: Elasticity) -> bool:
     study, given, time = candidate.study, elasticity.given, candidate.time or 0.0
     until = None if candidate.time is None else TIME_FACTOR * time
     for factor, turn in ((2.0, ANGLE_CHANGE), (0.5, -ANGLE_CHANGE)):
-        other = study.with_values(given.at(study.scene, (factor, factor), turn), until)
+        other = study.with_values(given.scaled((factor, factor), turn), until)
         answer = candidate.response(other)
         if answer is None and (other is None or other.trace.stable_until < TIME_FACTOR * time):
             continue
@@ -129,7 +129,7 @@ def simulate_shifted(study: SimulatedScene, given: Given, until: float | None) -
     The components of a vector are shifted in opposite directions, which rotates it.
     """
     for factors in ((1.0 + SHIFT_FRACTION, 1.0 - SHIFT_FRACTION), (1.0 - SHIFT_FRACTION, 1.0 + SHIFT_FRACTION)):
-        other = study.with_values(given.at(study.scene, factors), until)
+        other = study.with_values(given.scaled(factors), until)
         if other is not None:
             return other
     return None
