@@ -222,11 +222,11 @@ def _accepted(
 def _drawn(
     model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
 ) -> M:
-    values, absent = dict(given), dict[str, object]()
+    values, absent, fields = dict(given), dict[str, object](), model.model_fields
     for name, kind in field_types(model).items():
         if name in values:
             continue
-        info = model.model_fields[name]
+        info = fields[name]
         if (kind.optional or not info.is_required()) and not _is_there(model, name, rng, choices):
             absent[name] = info.get_default(call_default_factory=True)
             continue

@@ -1,6 +1,7 @@
 """Writer of the sentences of a scene: choice of wordings, order and voice."""
 
 from collections.abc import Collection
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -111,9 +112,7 @@ class Writer(Terms):
         return lines
 
     def _part_lines(self, part: Part, address: str) -> list[str]:
-        placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
-        first = [PartLines(field) for field in type(part).model_fields if field not in placed]
-        sayings = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
+        sayings = (saying for saying in _sayings(type(part)) if not self._passes_over(saying, part))
         return [line for saying in sayings for line in self._say(saying, part, address)]
 
     def _passes_over(self, saying: Saying, part: Part) -> bool:
@@ -212,15 +211,17 @@ class Writer(Terms):
 
         Without `start` the template is inside a sentence, where an introduced body is named by its letter alone.
         """
-        text = ""
+        text, part = "", None
         for slot in slots(template):
-            text += self._slot(slot, address, start=start and not text)
+            if slot.kind == "text":
+                text += slot.text
+                continue
+            if part is None:
+                part = self.scene.value(address) if address else self.scene
+            text += self._slot(slot, part, address, start=start and not text)
         return text
 
-    def _slot(self, slot: Slot, address: str, *, start: bool) -> str:
-        if slot.kind == "text":
-            return slot.text
-        part = self.scene.value(address) if address else self.scene
+    def _slot(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
         if slot.kind in ("agree", "some", "count"):
             count = len(referenced_object(part, slot.path))
             return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address, start=start)
@@ -241,3 +242,11 @@ class Writer(Terms):
             return choice
         where = canonical_path(part, slot.path)
         return self.at(f"{address}.{where}" if address else where, start=start)
+
+
+@cache
+def _sayings(kind: type[Part]) -> tuple[Saying, ...]:
+    """Return the lines that describe a part of a class: first those of the parts in it that have no other place."""
+    placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
+    held = (name for name, field in field_types(kind).items() if field.models and name not in placed)
+    return (*map(PartLines, held), *kind.says)
