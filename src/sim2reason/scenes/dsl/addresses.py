@@ -19,7 +19,7 @@ def lookup(value: Any, path: str) -> Any:
     for step in path.split("."):
         walked.append(step)
         try:
-            known = isinstance(value, Model) and step in field_types(type(value))
+            known = isinstance(value, Model) and step in field_names(type(value))
             value = getattr(value, step) if known else _members(value)[step]
         except KeyError:
             raise SceneError(".".join(walked), NO_SUCH_ADDRESS, LIST_PARAMETERS) from None
