@@ -1,5 +1,7 @@
 """Tests of variants of a motion, which all questions about a scene share."""
 
+import weakref
+
 import numpy as np
 import pytest
 
@@ -27,3 +29,16 @@ def test_how_far_a_variant_is_followed_hangs_on_no_question_before(before: tuple
     alone = SimulatedScene.of(swing(), np.linspace(0.0, 3.0, 41)).with_values(CHANGE, SHORT)
     assert alone is not None
     assert found.trace.at(SHORT).q == pytest.approx(alone.trace.at(SHORT).q, rel=1e-4)
+
+
+def test_a_released_study_leaves_nothing_to_the_garbage_collector() -> None:
+    """A result cached in a study often refers back to it."""
+    study = SimulatedScene.of(swing(), np.linspace(0.0, 3.0, 41))
+    varied = study.with_values(CHANGE, SHORT)
+    assert varied is not None
+    for each in (study, varied):
+        each.memoize("itself", lambda it=each: it)
+    alive = [weakref.ref(study), weakref.ref(varied)]
+    study.release()
+    del study, varied, each
+    assert [reference() for reference in alive] == [None, None]
