@@ -41,23 +41,34 @@ RUNS = 5
 SUBREAPER = 36  # PR_SET_CHILD_SUBREAPER
 CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
 FIRST = "import sim2reason; sim2reason.item(recipe='hybrid', difficulty='hard', mode='numeric', seed=1, index=0)"
-NAMES = """
-from sim2reason.generation.filters import FILTERS
+FIND = """
+from importlib import import_module
+
+def find(*names):
+    # the first of several modules that there is: packages have moved
+    for name in names:
+        try:
+            return import_module("sim2reason." + name)
+        except ImportError:
+            pass
+    raise ImportError(names)
+
+filters = find("generation.filters", "filters")
+"""
+NAMES = f"""{FIND}
 from sim2reason.questions import KINDS
-from sim2reason.generation.recipes import RECIPES
-for names in (RECIPES, KINDS, FILTERS):
+for names in (find("generation.recipes", "recipes").RECIPES, KINDS, filters.FILTERS):
     print(",".join(names))
 """
-# Of a package of any age: how many items a CPU-second, but for some kinds of question and some filters.
-LOOP = f"""
+# Of a package of any age: how many items a CPU-second, in all and of each recipe, but for some kinds of question and
+# some filters.
+LOOP = f"""{FIND}
 import json, sys
 from time import process_time
 sys.path.insert(0, {str(Path(__file__).parent)!r})
 from against import PHASE, fixed_loop
-from sim2reason.generation import filters
 from sim2reason.datasets import worker
-from sim2reason.generation.make import make
-from sim2reason.generation.request import Request
+make, Request = find("generation.make", "datasets.make").make, find("generation.request", "datasets.request").Request
 count, mode, recipes = int(sys.argv[1]), sys.argv[2], sys.argv[3].split(",")
 kinds, refusing = (set(names.split(",")) - {{""}} for names in sys.argv[4:6])
 if refusing:
@@ -66,12 +77,16 @@ if refusing:
 weights = {{"weights": tuple((kind, 0.0) for kind in sorted(kinds))}} if kinds else {{}}
 make(Request(recipes[0], "easy", mode, {SEED + 1}, 0))
 import sympy.polys.fields  # half a second, once a process, when the first formula is shortened
-getattr(worker, "collect_seldom", lambda: None)()
-cells = [(recipe, difficulty) for recipe in recipes for difficulty in ("easy", "medium", "hard")]
-start = process_time()
-made = [make(Request(*cell, mode, {SEED}, index, **weights)).item for cell in cells for index in range(count)]
-rate = sum(item is not None for item in made) / (process_time() - start)
-print(json.dumps({{"items / CPU-s": rate, PHASE: fixed_loop()}}))
+for name in ("collect_seldom", "tune_garbage_collection"):  # as its workers do, under the name of its age
+    getattr(worker, name, lambda: None)()
+rates, total, spent = {{}}, 0, 0.0
+for recipe in recipes:
+    start = process_time()
+    cells = [(recipe, difficulty, mode, {SEED}, n) for difficulty in ("easy", "medium", "hard") for n in range(count)]
+    kept = sum(make(Request(*cell, **weights)).item is not None for cell in cells)
+    seconds = process_time() - start
+    rates[recipe], total, spent = kept / seconds, total + kept, spent + seconds
+print(json.dumps({{"items / CPU-s": total / spent, **rates, PHASE: fixed_loop()}}))
 """
 
 
