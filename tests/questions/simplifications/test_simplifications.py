@@ -44,6 +44,13 @@ def test_a_body_held_leaves_what_the_other_does_alone() -> None:
     assert size("body held", atwood(), "acceleration", BLOCK, about=OTHER) == pytest.approx(0.0, abs=1e-12)
 
 
+def test_bodies_held_for_different_reasons_share_a_motion() -> None:
+    study, subject = first_of("box", DIFFICULTIES, "fixed carrier", "acceleration")
+    found = [MISCONCEPTIONS[name].simplified(study, subject, 0.5) for name in ("fixed carrier", "body held")]
+    assert found[0] is not None
+    assert found[0] is found[1]
+
+
 def test_without_the_other_body_a_block_falls_freely() -> None:
     assert size("body left out", atwood(), "acceleration", BLOCK, about=OTHER) == pytest.approx(G, rel=1e-5)
 

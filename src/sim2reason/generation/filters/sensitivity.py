@@ -200,13 +200,16 @@ class Sensitivity(Filter):
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
         total = len(given) + question_number_count(candidate)
-        moving, idle = list[Given](), list[Given]()
-        for elasticity in elasticities(candidate):
-            if elasticity.given in given:
-                (moving if matters(candidate, elasticity) else idle).append(elasticity.given)
+        moving, idle, unmarked = list[Given](), list[Given](), list[Given]()
+        for number, elasticity in ((each.given, each) for each in elasticities(candidate) if each.given in given):
+            if matters(candidate, elasticity):
+                moving.append(number)
+                continue
+            idle.append(number)
             if len(idle) > MAX_IDLE_SHARE * total:
                 return f"idle numbers: {_paths(idle)}"
-            unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
+            if number not in excused and not _is_indifferent(candidate, number):
+                unmarked.append(number)
             if not counted and len(unmarked) > MAX_IDLE_FRACTION[candidate.difficulty] * len(given):
                 return f"idle numbers: {_paths(unmarked)}"
         if counted:
