@@ -1,5 +1,6 @@
 """``python -m sim2reason``, like the command ``sim2reason``, is the command line."""
 
+import atexit
 import gc
 import os
 import signal
@@ -14,6 +15,7 @@ def main() -> None:
         if signal.getsignal(number) is not signal.SIG_IGN:  # as SIGINT is in the background
             signal.signal(number, _leave)
     gc.set_threshold(GC_THRESHOLD)
+    atexit.register(gc.freeze)  # the interpreter would collect all objects three times before it ends
     from sim2reason.cli import main as commands  # noqa: PLC0415 - it takes a tenth of a second
 
     commands(prog_name="sim2reason")
